@@ -1,10 +1,11 @@
-"""The tree keeps the direction of its rooms, and the check that says so notices when it does not."""
+"""The tree keeps the direction of its rooms, and the check that says so notices otherwise."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import pytest
+
 from layering.layering import ARROWS, violations
 
 ROOT = Path(__file__).resolve().parents[2]
