@@ -1,0 +1,172 @@
+#include "camera/camera.h"
+
+#include <cmath>
+#include <string>
+
+#include <etendue/error.h>
+
+#include "math/constants.h"
+#include "math/sampling.h"
+
+namespace etendue {
+namespace {
+
+[[noreturn]] void fail(const CameraDesc& camera, const std::string& what) {
+    throw SceneError("camera '" + camera.name + "': " + what);
+}
+
+void require_positive(const CameraDesc& camera, double value, const char* attribute) {
+    if (!std::isfinite(value) || value <= 0) fail(camera, std::string(attribute) + " must be positive");
+}
+
+void require_not_negative(const CameraDesc& camera, double value, const char* attribute) {
+    if (!std::isfinite(value) || value < 0) fail(camera, std::string(attribute) + " must not be negative");
+}
+
+void check_attributes(const CameraDesc& camera, int width, int height) {
+    require_positive(camera, camera.horizontal_aperture, "horizontal aperture");
+    require_positive(camera, camera.vertical_aperture, "vertical aperture");
+    require_positive(camera, camera.focal_length, "focal length");
+    require_not_negative(camera, camera.f_stop, "f-stop");
+    require_not_negative(camera, camera.focus_distance, "focus distance");
+    require_not_negative(camera, camera.exposure_scale, "exposure scale");
+    if (!std::isfinite(camera.horizontal_aperture_offset) || !std::isfinite(camera.vertical_aperture_offset)) {
+        fail(camera, "aperture offset is not finite");
+    }
+    if (width <= 0 || height <= 0) {
+        throw SettingsError("camera '" + camera.name + "': the image must be at least one pixel wide and high");
+    }
+}
+
+Transform checked_transform(const CameraDesc& camera) {
+    try {
+        return Transform(camera.world_from_camera);
+    } catch (const SceneError& error) {
+        fail(camera, error.what());
+    }
+}
+
+struct Aperture {
+    double width;
+    double height;
+};
+
+/// The part of the plane that the image shows, about an unchanged centre (UsdRenderSettingsBase
+/// aspectRatioConformPolicy).
+Aperture conformed(const Aperture& aperture, double image_aspect, ApertureConform conform) {
+    const Aperture width_adjusted{aperture.height * image_aspect, aperture.height};
+    const Aperture height_adjusted{aperture.width, aperture.width / image_aspect};
+    const bool image_is_wider = image_aspect > aperture.width / aperture.height;
+    switch (conform) {
+        case ApertureConform::ExpandAperture:
+            return image_is_wider ? width_adjusted : height_adjusted;
+        case ApertureConform::CropAperture:
+            return image_is_wider ? height_adjusted : width_adjusted;
+        case ApertureConform::AdjustApertureWidth:
+            return width_adjusted;
+        case ApertureConform::AdjustApertureHeight:
+            return height_adjusted;
+        case ApertureConform::AdjustPixelAspect:
+            break;  // pixels are stretched until the image is the aperture
+    }
+    return aperture;
+}
+
+}  // namespace
+
+Camera::Camera(const CameraDesc& desc, int width, int height, ApertureConform conform) {
+    check_attributes(desc, width, height);
+
+    // Only the directions of the camera's -Z and +Y matter: scale and shear are taken out and a mirroring transform
+    // yields an unmirrored picture (as GfFrustum does). Lens and focus distance are authored in world units.
+    const Transform world_from_camera = checked_transform(desc);
+    position_ = world_from_camera.translation();
+    forward_ = normalize(world_from_camera.vector({0, 0, -1}));
+    right_ = normalize(cross(forward_, world_from_camera.vector({0, 1, 0})));
+    up_ = cross(right_, forward_);
+
+    const Aperture aperture =
+        conformed({desc.horizontal_aperture, desc.vertical_aperture}, static_cast<double>(width) / height, conform);
+    // Aperture and focal length share their unit, so the plane at distance 1 needs none.
+    plane_left_ = (desc.horizontal_aperture_offset - aperture.width / 2) / desc.focal_length;
+    plane_top_ = (desc.vertical_aperture_offset + aperture.height / 2) / desc.focal_length;
+    plane_per_pixel_x_ = aperture.width / desc.focal_length / width;
+    plane_per_pixel_y_ = aperture.height / desc.focal_length / height;
+
+    // Focus distance 0 is the schema's "not set": without a focus there is no lens.
+    if (desc.f_stop > 0 && desc.focus_distance > 0) {
+        constexpr double kUnitsPerTenth = 0.1;
+        lens_radius_ = desc.focal_length * kUnitsPerTenth / (2 * desc.f_stop);
+        focus_distance_ = desc.focus_distance;
+    }
+    exposure_scale_ = desc.exposure_scale;
+}
+
+double Camera::pdf_lens() const { return has_lens() ? 1 / (kPi * lens_radius_ * lens_radius_) : 1; }
+
+Vec3 Camera::lens_point(const Vec2& u_lens) const {
+    if (!has_lens()) return position_;
+    const Vec2 d = sample_concentric_disk(u_lens);
+    return position_ + (right_ * d.x + up_ * d.y) * lens_radius_;
+}
+
+CameraRay Camera::generate_ray(const Vec2& raster, const Vec2& u_lens) const {
+    const double x = plane_left_ + raster.x * plane_per_pixel_x_;
+    const double y = plane_top_ - raster.y * plane_per_pixel_y_;
+    const Vec3 focus = (forward_ + right_ * x + up_ * y) * focus_distance_;  // relative to the lens centre
+    CameraRay ray;
+    ray.origin = lens_point(u_lens);
+    ray.direction = normalize(focus - (ray.origin - position_));
+    ray.weight = exposure_scale_;
+    ray.pdf_lens = pdf_lens();
+    ray.pdf_dir = pdf_dir(ray.origin, ray.direction);
+    return ray;
+}
+
+double Camera::pdf_dir(const Vec3&, const Vec3& direction) const {
+    // Raster area is area on the plane in focus, and a solid angle cuts D^2 dw / cos^3 out of a plane at distance D,
+    // from whichever point of the lens; the plane at distance 1 is D^2 times smaller.
+    const double cos = dot(direction, forward_);
+    if (cos <= 0) return 0;
+    return 1 / (cos * cos * cos * plane_per_pixel_x_ * plane_per_pixel_y_);
+}
+
+Vec2 Camera::raster_of(const Vec3& z0, const Vec3& direction) const {
+    const Vec3 on_plane = (z0 - position_) / focus_distance_ + direction / dot(direction, forward_);
+    return {(dot(on_plane, right_) - plane_left_) / plane_per_pixel_x_,
+            (plane_top_ - dot(on_plane, up_)) / plane_per_pixel_y_};
+}
+
+std::optional<LensSample> Camera::sample_lens(const Vec3& p, const Vec2& u_lens) const {
+    if (depth(p) <= 0) return {};
+    LensSample sample;
+    sample.origin = lens_point(u_lens);
+    const Vec3 d = p - sample.origin;
+    sample.distance = length(d);
+    sample.direction = d / sample.distance;
+    if (dot(sample.direction, forward_) <= 0) return {};  // rounding, for points almost on the lens
+    sample.raster = raster_of(sample.origin, sample.direction);
+    sample.pdf_lens = pdf_lens();
+    sample.pdf_dir = pdf_dir(sample.origin, sample.direction);
+    // We |cos| = scale pdf_lens pdf_dir, so that a camera ray weighs the exposure scale.
+    sample.weight = exposure_scale_ * sample.pdf_dir / (sample.distance * sample.distance);
+    return sample;
+}
+
+std::optional<LensHit> Camera::hit_lens(const Vec3& origin, const Vec3& direction, double t_max) const {
+    const double cos = -dot(direction, forward_);
+    if (!has_lens() || cos <= 0) return {};
+    const double t = depth(origin) / cos;
+    if (t <= 0 || t >= t_max) return {};
+    LensHit hit;
+    hit.p = origin + direction * t;
+    if (length_squared(hit.p - position_) > lens_radius_ * lens_radius_) return {};
+    hit.distance = t;
+    hit.raster = raster_of(hit.p, -direction);
+    hit.pdf_lens = pdf_lens();
+    hit.pdf_dir = pdf_dir(hit.p, -direction);
+    hit.importance = exposure_scale_ * hit.pdf_lens * hit.pdf_dir / cos;
+    return hit;
+}
+
+}  // namespace etendue

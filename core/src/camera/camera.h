@@ -1,0 +1,85 @@
+#pragma once
+
+#include <optional>
+
+#include <etendue/scene_description.h>
+
+#include "math/transform.h"
+#include "math/vec.h"
+
+namespace etendue {
+
+/// The first ray of a camera subpath.
+struct CameraRay {
+    Vec3 origin;           ///< z0, on the lens
+    Vec3 direction;        ///< unit, into the scene
+    double weight = 1;     ///< We |cos| / (pdf_lens pdf_dir): the exposure scale
+    double pdf_lens = 1;   ///< per area; 1 for a pinhole
+    double pdf_dir = 0;    ///< per solid angle, for a raster density of one sample per pixel area
+};
+
+/// A point on the lens joined to a point of the scene (strategies t = 1).
+struct LensSample {
+    Vec3 origin;       ///< z0
+    Vec3 direction;    ///< unit, from z0 to the point
+    double distance = 0;
+    Vec2 raster;       ///< continuous pixel coordinates, y down; may lie outside the image
+    double weight = 0;  ///< We |cos z0| / (d^2 pdf_lens)
+    double pdf_lens = 1;
+    double pdf_dir = 0;  ///< as CameraRay::pdf_dir
+};
+
+/// A light path that found the lens (strategies t = 0).
+struct LensHit {
+    Vec3 p;
+    double distance = 0;
+    Vec2 raster;
+    double importance = 0;  ///< We(z0 -> towards where the light came from), without cosine
+    double pdf_lens = 0;
+    double pdf_dir = 0;
+};
+
+/// Pinhole or thin-lens perspective camera. We is normalised per pixel: the mean radiance over a pixel's filter is the
+/// pixel's value, times the exposure scale. pdf_dir and We extend beyond the image's edge, for filters that reach
+/// across it.
+class Camera {
+public:
+    /// Gives UsdGeomCamera its meaning: apertures, offsets, conform policy, tenths of units. Scale, shear and mirroring
+    /// of the transform do not count. An f-stop without a focus distance makes a pinhole. Throws SceneError or
+    /// SettingsError naming the camera.
+    Camera(const CameraDesc& desc, int width, int height, ApertureConform conform);
+
+    [[nodiscard]] CameraRay generate_ray(const Vec2& raster, const Vec2& u_lens) const;
+    /// Empty when `p` is behind the lens.
+    [[nodiscard]] std::optional<LensSample> sample_lens(const Vec3& p, const Vec2& u_lens) const;
+    /// Density per solid angle with which the camera sends a ray from z0 along `direction`; 0 backwards.
+    [[nodiscard]] double pdf_dir(const Vec3& z0, const Vec3& direction) const;
+    /// Where a ray from `origin` along the unit `direction` crosses the lens from the front, nearer than t_max. Empty
+    /// for a pinhole.
+    [[nodiscard]] std::optional<LensHit> hit_lens(const Vec3& origin, const Vec3& direction, double t_max) const;
+
+    [[nodiscard]] bool has_lens() const { return lens_radius_ > 0; }
+    [[nodiscard]] const Vec3& forward() const { return forward_; }
+    /// Distance along the viewing axis.
+    [[nodiscard]] double depth(const Vec3& p) const { return dot(p - position_, forward_); }
+
+private:
+    /// Continuous pixel coordinates of the ray z0 + t direction.
+    [[nodiscard]] Vec2 raster_of(const Vec3& z0, const Vec3& direction) const;
+    [[nodiscard]] Vec3 lens_point(const Vec2& u_lens) const;
+    [[nodiscard]] double pdf_lens() const;  ///< per area; 1 for a pinhole
+
+    Vec3 position_;
+    Vec3 right_;
+    Vec3 up_;
+    Vec3 forward_;
+    double lens_radius_ = 0;      ///< scene units
+    double focus_distance_ = 1;   ///< scene units, along the axis
+    double exposure_scale_ = 1;
+    double plane_left_ = 0;       ///< image window on the plane at distance 1
+    double plane_top_ = 0;
+    double plane_per_pixel_x_ = 0;
+    double plane_per_pixel_y_ = 0;
+};
+
+}  // namespace etendue

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "math/rgb.h"
+#include "math/vec.h"
+
+namespace etendue {
+
+/// What varies the emission over a surface; a light multiplies it by its own radiance. Must not be negative.
+class EmissionTexture {
+public:
+    virtual ~EmissionTexture() = default;
+    [[nodiscard]] virtual Rgb at(const Vec2& st) const = 0;
+};
+
+}  // namespace etendue

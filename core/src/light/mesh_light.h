@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "light/area_light.h"
+#include "light/emission_texture.h"
+#include "math/distribution.h"
+
+namespace etendue {
+
+/// World space; the front is where the corners run counter-clockwise.
+struct LightTriangle {
+    std::array<Vec3, 3> p;
+    std::array<Vec2, 3> st;
+};
+
+/// Triangles that emit from their front; points are uniform per area.
+class MeshLight final : public AreaLight {
+public:
+    /// The triangles' area must be positive. `texture` may be null; else the radiance is multiplied by it.
+    MeshLight(std::vector<LightTriangle> triangles, const Rgb& radiance,
+              std::shared_ptr<const EmissionTexture> texture);
+
+    [[nodiscard]] static double world_area(const std::vector<LightTriangle>& triangles);
+
+    /// With a texture, an estimate of the mean over fixed points. Never zero unless the radiance is.
+    [[nodiscard]] Rgb power() const override { return power_; }
+
+protected:
+    [[nodiscard]] PointSample sample_point(const Vec2& u) const override;
+    [[nodiscard]] double pdf_point(const LightPoint&) const override { return 1 / area(); }
+    [[nodiscard]] Rgb emitted(const LightPoint& y) const override;
+
+private:
+    [[nodiscard]] Rgb estimate_power() const;
+
+    std::vector<LightTriangle> triangles_;
+    Distribution by_area_;
+    std::shared_ptr<const EmissionTexture> texture_;
+    Rgb power_;
+};
+
+}  // namespace etendue
