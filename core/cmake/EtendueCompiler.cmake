@@ -9,9 +9,13 @@ function(etendue_set_compile_options target)
         POSITION_INDEPENDENT_CODE ON
     )
     target_compile_options(${target} PRIVATE
-        -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+        -Wall -Wextra -Wpedantic -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
         -Wmissing-declarations -Wimplicit-fallthrough
-        $<$<CXX_COMPILER_ID:GNU>:-Wno-arith-conversion -Wduplicated-cond -Wlogical-op>
+        $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wlogical-op>
+        # GCC's full -Wshadow also reports enumerators of scoped enumerations.
+        $<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=local,-Wshadow>
+        # GCC 12 sees overlapping copies in std::string's own operator+.
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
         $<$<BOOL:${ETENDUE_WERROR}>:-Werror>
     )
     if(ETENDUE_SANITIZE)
