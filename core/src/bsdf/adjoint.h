@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+
+#include <etendue/render_settings.h>
+
+#include "bsdf/transport_mode.h"
+#include "math/vec.h"
+
+namespace etendue {
+
+/// Both asymmetries of scattering, and nowhere else (theory.md §5, §6; Veach 5.2, 5.3).
+
+/// Factor on the weight of a path that crosses a refracting interface. Radiance is scaled by the squared index of the
+/// known (camera) side over the sampled one; particles are not scaled. With the correction off, particles are scaled
+/// like radiance along the light's flow, (eta_t / eta_i)^2, which is wrong.
+inline double squared_index_factor(TransportMode mode, double eta_known, double eta_sampled,
+                                   const AdjointPolicy& policy) {
+    if (mode == TransportMode::Radiance) {
+        const double ratio = eta_known / eta_sampled;
+        return ratio * ratio;
+    }
+    if (policy.refraction) return 1;
+    const double ratio = eta_sampled / eta_known;
+    return ratio * ratio;
+}
+
+/// What turns f |wi . n_s| (a BSDF that knows n_s only) into fbar |wi . n_g| for the given transport mode. Radiance: the
+/// factor cancels. Particles: |wo . n_s| |wi . n_g| / (|wo . n_g| |wi . n_s|), left out when the correction is off.
+/// The four arguments are absolute cosines.
+inline double shading_normal_factor(TransportMode mode, double cos_wo_ng, double cos_wo_ns, double cos_wi_ng,
+                                    double cos_wi_ns, const AdjointPolicy& policy) {
+    if (mode == TransportMode::Radiance || !policy.shading_normal) return 1;
+    return (cos_wo_ns * cos_wi_ng) / (cos_wo_ng * cos_wi_ns);
+}
+
+}  // namespace etendue

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "bsdf/adjoint.h"
+#include "bsdf/bsdf_sample.h"
+#include "bsdf/ggx.h"
+
+namespace etendue {
+
+/// Interface between the outside (+z, index 1) and the inside (-z, index ior): GGX (Walter et al. 2007 with visible
+/// normals), or smooth, then both lobes are deltas. Reflection and refraction are chosen by the Fresnel reflectance of
+/// the facet, weighted by the tints. A rough interface of (nearly) matched indices is smooth as well: there the half
+/// vector of refraction is no longer defined, and nothing is deflected.
+class Dielectric {
+public:
+    Dielectric(double ior, double alpha, const Rgb& reflection_tint = Rgb(1), const Rgb& transmission_tint = Rgb(1));
+
+    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, TransportMode mode, const AdjointPolicy& policy) const;
+    [[nodiscard]] double pdf(const Vec3& wo, const Vec3& wi) const;
+    [[nodiscard]] std::optional<BsdfSample> sample(const Vec3& wo, double u_lobe, const Vec2& u, TransportMode mode,
+                                                   const AdjointPolicy& policy) const;
+
+    [[nodiscard]] bool has_delta() const { return smooth_; }
+    [[nodiscard]] bool has_non_delta() const { return !smooth_; }
+
+    /// Index on the side of the surface on which w lies.
+    [[nodiscard]] double eta(const Vec3& w) const { return w.z > 0 ? 1 : ior_; }
+
+private:
+    /// One pair of directions: f as particles see it, without the squared-index factor, and both densities.
+    struct Scattering {
+        Rgb f;
+        double pdf_fwd = 0;
+        double pdf_rev = 0;
+    };
+    [[nodiscard]] Scattering reflection(const Vec3& wo, const Vec3& wi) const;
+    [[nodiscard]] Scattering refraction(const Vec3& wo, const Vec3& wi) const;
+    [[nodiscard]] Scattering scattering(const Vec3& wo, const Vec3& wi) const;
+    [[nodiscard]] double reflection_probability(double fresnel) const;
+    [[nodiscard]] std::optional<BsdfSample> sample_smooth(const Vec3& wo, double u_lobe, TransportMode mode,
+                                                          const AdjointPolicy& policy) const;
+
+    double ior_;
+    double alpha_;
+    bool smooth_;
+    Rgb reflection_tint_;
+    Rgb transmission_tint_;
+    double reflection_strength_;
+    double transmission_strength_;
+};
+
+/// Direction refracted at a plane of normal +-z; eta is the index on wo's side over that beyond, cos_t the cosine
+/// beyond. Exactly -wo for eta = 1.
+inline Vec3 refract_at_plane(const Vec3& wo, double eta, double cos_t) {
+    if (eta == 1) return -wo;
+    return {-eta * wo.x, -eta * wo.y, -std::copysign(cos_t, wo.z)};
+}
+
+/// Fills in what a delta lobe reports as densities (theory.md §3, transport.md §1). An interface preserves eta^2
+/// dsigma_perp: from eta_o sin_o = eta_i sin_i, squared and differentiated, eta_o^2 sin_o cos_o dtheta_o dphi =
+/// eta_i^2 sin_i cos_i dtheta_i dphi. A lobe that is chosen with probability P and maps wo to wi one to one therefore
+/// has density P with respect to that measure, in both directions, and per solid angle P eta^2 |cos|.
+inline void set_delta_pdfs(BsdfSample& sample, const Vec3& wo, double p_fwd, double p_rev, double eta_o, double eta_i) {
+    sample.delta = true;
+    sample.pdf_fwd = p_fwd * eta_i * eta_i * std::abs(sample.wi.z);
+    sample.pdf_rev = p_rev * eta_o * eta_o * std::abs(wo.z);
+}
+
+}  // namespace etendue

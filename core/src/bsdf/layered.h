@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+
+#include "bsdf/adjoint.h"
+#include "bsdf/bsdf_sample.h"
+#include "bsdf/dielectric.h"
+#include "bsdf/fresnel.h"
+
+namespace etendue {
+
+/// What a Layered is made of. metal + coated + veil + glass = 1.
+struct LayeredParameters {
+    double presence = 1;  ///< the rest is a hole: straight through
+    double alpha = 0;     ///< of metal and coat
+    double metal = 0;
+    SchlickFresnel metal_fresnel;
+    double coated = 0;  ///< diffuse base under the coat
+    double veil = 0;    ///< nothing but the coat, and smooth refraction below it
+    Rgb coat_f0;
+    Rgb coat_f90;
+    Rgb coat_tint{1};
+    Rgb diffuse;
+    double veil_ior = 1.5;
+    double glass = 0;
+    Dielectric glass_model{1, 0};
+};
+
+/// The closure of UsdPreviewSurface and OpenPBR: a convex combination of components each of which is reciprocal and
+/// conserves energy on both sides, so that their sum does.
+///
+///   metal   GGX reflection. Both sides alike.
+///   coated  GGX reflection with Fresnel factor F over a diffuse base. Both sides alike. What the coat does not reflect
+///           reaches the base: f = rho / pi T(wo) T(wi) / (1 - E_mean) with T = 1 - E, E the coat's directional albedo
+///           (Kelemen and Szirmay-Kalos 2001). Symmetric, and its albedo is rho T(wo) or less.
+///   veil    UsdPreviewSurface's transparent part: the same coat outside, smooth refraction below. It transmits T of
+///   the
+///           outer cosine, from both sides; from inside, the rest is reflected by a mirror.
+///   glass   a Dielectric.
+///
+/// A lobe's probability depends on wo alone (and is computed for wi where the reverse density is asked for).
+class Layered {
+public:
+    explicit Layered(const LayeredParameters& parameters);
+
+    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, TransportMode mode, const AdjointPolicy& policy) const;
+    [[nodiscard]] double pdf(const Vec3& wo, const Vec3& wi) const;
+    [[nodiscard]] std::optional<BsdfSample> sample(const Vec3& wo, double u_lobe, const Vec2& u, TransportMode mode,
+                                                   const AdjointPolicy& policy) const;
+
+    [[nodiscard]] bool has_delta() const;
+    [[nodiscard]] bool has_non_delta() const;
+
+private:
+    struct LobeProbabilities {
+        double hole = 0;
+        double specular = 0;
+        double diffuse = 0;
+        double veil = 0;
+        double glass = 0;
+    };
+
+    [[nodiscard]] bool smooth() const { return p_.alpha < kSmoothAlpha; }
+    [[nodiscard]] LobeProbabilities probabilities(const Vec3& wo) const;
+    [[nodiscard]] Rgb specular_weight(double cos_m, bool outside) const;
+    [[nodiscard]] Rgb base_transmittance(double cos) const;
+    [[nodiscard]] double pdf(const LobeProbabilities& p, const Vec3& wo, const Vec3& wi) const;
+    [[nodiscard]] double eta(const Vec3& w) const;
+
+    using Sample = std::optional<BsdfSample>;
+    [[nodiscard]] Sample sample_hole(const LobeProbabilities& p, const Vec3& wo) const;
+    [[nodiscard]] Sample sample_mirror(const LobeProbabilities& p, const Vec3& wo) const;
+    [[nodiscard]] Sample sample_veil(const LobeProbabilities& p, const Vec3& wo, double u, TransportMode mode,
+                                     const AdjointPolicy& policy) const;
+    [[nodiscard]] Sample finish(const LobeProbabilities& p, const Vec3& wo, const Vec3& wi, TransportMode mode,
+                                const AdjointPolicy& policy) const;
+
+    LayeredParameters p_;
+    Rgb base_scale_;  ///< diffuse / (1 - E_mean)
+};
+
+}  // namespace etendue

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "math/rgb.h"
+
+namespace etendue {
+
+/// Albedo of a GGX reflection whose Fresnel factor is Schlick's is linear in f0 and f90: f0 * of_f0 + f90 * of_f90.
+struct SpecularAlbedo {
+    double of_f0 = 0;
+    double of_f90 = 0;
+
+    [[nodiscard]] Rgb operator()(const Rgb& f0, const Rgb& f90) const { return f0 * of_f0 + f90 * of_f90; }
+};
+
+/// Directional albedo, the integral of f |cos wi| over wi, for the cosine of wo. Tabulated; exact when smooth.
+[[nodiscard]] SpecularAlbedo specular_albedo(double cos, double alpha);
+
+/// Hemispherical albedo: the integral of 2 cos times specular_albedo(cos, alpha) over cos, exactly that of the
+/// interpolated table.
+[[nodiscard]] SpecularAlbedo mean_specular_albedo(double alpha);
+
+/// No true directional albedo with 0 <= f0 <= f90 <= 1 exceeds the tabulated one by more (the tests measure it). The
+/// table is coarsest where albedos change on the scale cos / alpha.
+[[nodiscard]] double specular_albedo_margin(double cos, double alpha);
+
+}  // namespace etendue
