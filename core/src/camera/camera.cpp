@@ -139,17 +139,31 @@ Vec2 Camera::raster_of(const Vec3& z0, const Vec3& direction) const {
 
 std::optional<LensSample> Camera::sample_lens(const Vec3& p, const Vec2& u_lens) const {
     if (depth(p) <= 0) return {};
+    const Vec3 origin = lens_point(u_lens);
+    const Vec3 d = p - origin;
+    const double distance = length(d);
+    std::optional<LensSample> sample = lens_sample(origin, d / distance);
+    if (!sample) return {};  // rounding, for points almost on the lens
+    sample->distance = distance;
+    sample->weight /= distance * distance;
+    return sample;
+}
+
+std::optional<LensSample> Camera::sample_lens_towards(const Vec3& direction, const Vec2& u_lens) const {
+    return lens_sample(lens_point(u_lens), direction);
+}
+
+std::optional<LensSample> Camera::lens_sample(const Vec3& origin, const Vec3& direction) const {
+    if (dot(direction, forward_) <= 0) return {};
     LensSample sample;
-    sample.origin = lens_point(u_lens);
-    const Vec3 d = p - sample.origin;
-    sample.distance = length(d);
-    sample.direction = d / sample.distance;
-    if (dot(sample.direction, forward_) <= 0) return {};  // rounding, for points almost on the lens
-    sample.raster = raster_of(sample.origin, sample.direction);
+    sample.origin = origin;
+    sample.direction = direction;
+    sample.distance = kInfinity;
+    sample.raster = raster_of(origin, direction);
     sample.pdf_lens = pdf_lens();
-    sample.pdf_dir = pdf_dir(sample.origin, sample.direction);
+    sample.pdf_dir = pdf_dir(origin, direction);
     // We |cos| = scale pdf_lens pdf_dir, so that a camera ray weighs the exposure scale.
-    sample.weight = exposure_scale_ * sample.pdf_dir / (sample.distance * sample.distance);
+    sample.weight = exposure_scale_ * sample.pdf_dir;
     return sample;
 }
 

@@ -52,6 +52,9 @@ public:
     [[nodiscard]] CameraRay generate_ray(const Vec2& raster, const Vec2& u_lens) const;
     /// Empty when `p` is behind the lens.
     [[nodiscard]] std::optional<LensSample> sample_lens(const Vec3& p, const Vec2& u_lens) const;
+    /// The same for something infinitely far along the unit `direction`: the distance is infinite and the weight
+    /// We |cos z0| / pdf_lens.
+    [[nodiscard]] std::optional<LensSample> sample_lens_towards(const Vec3& direction, const Vec2& u_lens) const;
     /// Density per solid angle with which the camera sends a ray from z0 along `direction`; 0 backwards.
     [[nodiscard]] double pdf_dir(const Vec3& z0, const Vec3& direction) const;
     /// Where a ray from `origin` along the unit `direction` crosses the lens from the front, nearer than t_max. Empty
@@ -60,6 +63,8 @@ public:
 
     [[nodiscard]] bool has_lens() const { return lens_radius_ > 0; }
     [[nodiscard]] const Vec3& forward() const { return forward_; }
+    /// Centre of the lens.
+    [[nodiscard]] const Vec3& position() const { return position_; }
     /// Distance along the viewing axis.
     [[nodiscard]] double depth(const Vec3& p) const { return dot(p - position_, forward_); }
 
@@ -67,6 +72,8 @@ private:
     /// Continuous pixel coordinates of the ray z0 + t direction.
     [[nodiscard]] Vec2 raster_of(const Vec3& z0, const Vec3& direction) const;
     [[nodiscard]] Vec3 lens_point(const Vec2& u_lens) const;
+    /// A sample at infinity; empty backwards.
+    [[nodiscard]] std::optional<LensSample> lens_sample(const Vec3& origin, const Vec3& direction) const;
     [[nodiscard]] double pdf_lens() const;  ///< per area; 1 for a pinhole
 
     Vec3 position_;

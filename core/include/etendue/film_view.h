@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <etendue/export.h>
+#include <etendue/render_settings.h>
+
+namespace etendue {
+
+/// Name of an AOV as it appears in files and in Python: "color", "alpha", "depth", "normal", "albedo",
+/// "sample_count", "variance".
+[[nodiscard]] ETENDUE_EXPORT std::string_view aov_name(Aov aov);
+
+/// 3 for color, normal, albedo and variance, else 1.
+[[nodiscard]] ETENDUE_EXPORT int aov_channels(Aov aov);
+
+/// One AOV: `channels` floats a pixel, row 0 on top, scene-linear. Depth is the distance along the viewing axis in
+/// scene units, infinite where nothing is hit. Variance is that of the pixel's mean, from independent passes;
+/// infinite while fewer than two passes are complete.
+struct AovImage {
+    Aov aov = Aov::Color;
+    int channels = 0;
+    std::vector<float> data;
+};
+
+/// Why a contribution could not be added to the film. Each is counted, none is added.
+enum class InvalidKind { NotANumber, Infinite, Negative };
+inline constexpr int kInvalidKinds = 3;
+
+struct RenderStatistics {
+    std::int64_t passes = 0;  ///< complete passes
+    double seconds = 0;
+    std::uint64_t camera_paths = 0;
+    std::uint64_t light_paths = 0;
+    std::uint64_t rays = 0;                              ///< intersection and visibility rays
+    std::array<std::uint64_t, kInvalidKinds> invalid{};  ///< by InvalidKind
+};
+
+/// A copy of the film: what had been rendered when the snapshot was taken.
+struct RenderedImage {
+    int width = 0;  ///< of the window
+    int height = 0;
+    PixelWindow window;  ///< within the full image
+    int full_width = 0;
+    int full_height = 0;
+    std::vector<AovImage> aovs;
+    RenderStatistics statistics;
+
+    /// The AOV, or null when it was not asked for.
+    [[nodiscard]] const AovImage* find(Aov aov) const {
+        for (const AovImage& image : aovs) {
+            if (image.aov == aov) return &image;
+        }
+        return nullptr;
+    }
+};
+
+}  // namespace etendue

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <etendue/export.h>
+#include <etendue/film_view.h>
+#include <etendue/render_settings.h>
+#include <etendue/scene_description.h>
+
+namespace etendue {
+
+struct RenderProgress {
+    std::int64_t passes_done = 0;
+    std::int64_t passes_total = 0;  ///< 0 when only time limits the render
+    double fraction = 0;            ///< 0..1, by whichever limit is nearer
+    double seconds = 0;
+    bool finished = false;
+};
+
+/// Called from a render thread, never concurrently with itself. Must not throw.
+using ProgressCallback = std::function<void(const RenderProgress&)>;
+
+/// Renders one scene progressively in the background. Sessions share nothing: any number may live in a process.
+/// All members may be called from any thread; the callback must not call wait().
+class ETENDUE_EXPORT RenderSession {
+public:
+    /// Builds the scene. Throws SceneError, SettingsError, FileError.
+    RenderSession(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback = {});
+    /// Cancels and waits.
+    ~RenderSession();
+    RenderSession(RenderSession&&) noexcept;
+    RenderSession& operator=(RenderSession&&) noexcept;
+
+    /// Starts rendering and returns at once. Calling it a second time does nothing.
+    void start();
+    /// Asks the render to end soon; what has been rendered stays.
+    void cancel() noexcept;
+    /// Returns when rendering has ended; rethrows what ended it early, if anything did.
+    void wait();
+    /// Waits at most `seconds`; true when rendering has ended.
+    [[nodiscard]] bool wait_for(double seconds);
+
+    [[nodiscard]] RenderProgress progress() const;
+    /// The picture so far; usable while rendering.
+    [[nodiscard]] RenderedImage snapshot() const;
+
+private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace etendue

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <etendue/scene_description.h>
+
+namespace etendue {
+
+enum class IntegratorKind { Path, Light, Bdpt };
+
+/// Power heuristic has beta = 2 (Veach 9.2), balance beta = 1.
+enum class MisHeuristic { Balance, Power };
+
+/// The two adjoint corrections (theory.md §5, §6). Switching one off is wrong on purpose: for validation only.
+struct AdjointPolicy {
+    bool refraction = true;
+    bool shading_normal = true;
+};
+
+/// Which bidirectional strategies take part. (s, t): s light vertices, t camera vertices. With a subset the image is
+/// complete only if the subset covers every path of the scene.
+struct StrategySet {
+    bool emission_hit = true;  ///< s = 0: the camera path finds a light
+    bool direct_light = true;  ///< s = 1, t >= 2: next-event estimation
+    bool connection = true;    ///< s >= 2, t >= 2
+    bool light_image = true;   ///< t = 1: a light vertex is joined to the lens
+    bool lens_hit = true;      ///< t = 0: a light path finds the lens
+};
+
+/// One strategy alone.
+struct Strategy {
+    int s = 0;
+    int t = 0;
+};
+
+enum class Aov { Color, Alpha, Depth, Normal, Albedo, SampleCount, Variance };
+
+enum class FilterKind { Box, Triangle, Gaussian };
+
+/// Reconstruction filter; the radius is in pixels. Box and triangle are separable; the Gaussian is round, has sigma =
+/// radius / 3 and ends at the radius.
+struct PixelFilter {
+    FilterKind kind = FilterKind::Box;
+    double radius = 0.5;
+};
+
+/// Pixels [x0, x1) x [y0, y1) of the full image, row 0 on top.
+struct PixelWindow {
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+};
+
+struct RenderSettings {
+    int camera = 0;  ///< index into SceneDescription::cameras
+    int width = 512;
+    int height = 512;
+    std::optional<PixelWindow> crop;
+    ApertureConform conform = ApertureConform::ExpandAperture;
+
+    IntegratorKind integrator = IntegratorKind::Bdpt;
+    int samples_per_pixel = 64;  ///< one pass is one sample per pixel; 0: until the time limit
+    double time_limit = 0;       ///< seconds; 0: none. Whichever limit comes first ends the render
+    int max_depth = 16;          ///< bounces, s + t - 2; 0 shows emission only
+    std::uint64_t seed = 0;
+    int threads = 0;  ///< 0: all
+
+    PixelFilter filter;
+    MisHeuristic heuristic = MisHeuristic::Power;
+    StrategySet strategies;                   ///< bdpt
+    std::optional<Strategy> single_strategy;  ///< bdpt: shows only this one, unweighted (C* of theory.md §2)
+    double light_paths_per_pixel = 1;         ///< light subpaths traced per pixel and pass (bdpt, light)
+    int roulette_depth = 4;                   ///< bounces before Russian roulette may end a path; negative: never
+    AdjointPolicy adjoint;
+
+    std::vector<Aov> aovs{Aov::Color, Aov::Alpha};
+};
+
+}  // namespace etendue

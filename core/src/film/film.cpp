@@ -1,0 +1,166 @@
+#include "film/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace etendue {
+namespace {
+
+bool asks_for(const RenderSettings& settings, std::initializer_list<Aov> aovs) {
+    return std::any_of(aovs.begin(), aovs.end(), [&](Aov aov) {
+        return std::find(settings.aovs.begin(), settings.aovs.end(), aov) != settings.aovs.end();
+    });
+}
+
+void store(std::span<float> out, std::size_t pixel, double value) { out[pixel] = static_cast<float>(value); }
+
+void store(std::span<float> out, std::size_t pixel, const Rgb& value) {
+    out[3 * pixel] = static_cast<float>(value.r);
+    out[3 * pixel + 1] = static_cast<float>(value.g);
+    out[3 * pixel + 2] = static_cast<float>(value.b);
+}
+
+}  // namespace
+
+Film::Film(const RenderSettings& settings, const PixelWindow& window)
+    : settings_(settings), filter_(settings.filter), window_(window) {
+    const auto pixels =
+        static_cast<std::size_t>(window.x1 - window.x0) * static_cast<std::size_t>(window.y1 - window.y0);
+    camera_.resize(pixels);
+    count_.resize(pixels);
+    if (asks_for(settings, {Aov::Alpha, Aov::Depth, Aov::Normal, Aov::Albedo})) surface_.resize(pixels);
+    if (asks_for(settings, {Aov::Variance})) pass_.resize(pixels);
+}
+
+std::size_t Film::index(int x, int y) const {
+    return static_cast<std::size_t>(y - window_.y0) * static_cast<std::size_t>(window_.x1 - window_.x0) +
+           static_cast<std::size_t>(x - window_.x0);
+}
+
+void Film::add(const FilmTile& tile) {
+    add_samples(tile);
+    if (!tile.splats.empty() && splat_.empty()) splat_.resize(camera_.size());
+    for (const Splat& splat : tile.splats) add_splat(splat);
+    statistics_.camera_paths += tile.camera_paths;
+    statistics_.light_paths += tile.light_paths;
+    statistics_.rays += tile.rays;
+    pass_light_paths_ += tile.light_paths;
+    for (std::size_t i = 0; i < tile.invalid.size(); ++i) statistics_.invalid[i] += tile.invalid[i];
+}
+
+void Film::add_samples(const FilmTile& tile) {
+    auto sample = tile.samples.begin();
+    for (int y = tile.window.y0; y < tile.window.y1; ++y) {
+        for (int x = tile.window.x0; x < tile.window.x1; ++x, ++sample) {
+            const std::size_t pixel = index(x, y);
+            camera_[pixel] += sample->radiance;
+            ++count_[pixel];
+            if (!pass_.empty()) pass_[pixel].camera += sample->radiance;
+            if (surface_.empty() || !sample->hit) continue;
+            SurfaceSums& sums = surface_[pixel];
+            sums.hits += 1;
+            sums.depth += sample->depth;
+            sums.normal += sample->normal;
+            sums.albedo += sample->albedo;
+        }
+    }
+}
+
+void Film::add_splat(const Splat& splat) {
+    // Pixel (x, y) has its centre at (x + 0.5, y + 0.5).
+    const double r = filter_.radius();
+    const int x0 = std::max(window_.x0, static_cast<int>(std::floor(splat.raster.x - r - 0.5)));
+    const int x1 = std::min(window_.x1 - 1, static_cast<int>(std::ceil(splat.raster.x + r - 0.5)));
+    const int y0 = std::max(window_.y0, static_cast<int>(std::floor(splat.raster.y - r - 0.5)));
+    const int y1 = std::min(window_.y1 - 1, static_cast<int>(std::ceil(splat.raster.y + r - 0.5)));
+    for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; ++x) {
+            const double weight = filter_.eval({splat.raster.x - x - 0.5, splat.raster.y - y - 0.5});
+            if (weight == 0) continue;
+            const std::size_t pixel = index(x, y);
+            splat_[pixel] += splat.value * weight;
+            if (!pass_.empty()) pass_[pixel].splat += splat.value * weight;
+        }
+    }
+}
+
+void Film::end_pass() {
+    ++statistics_.passes;
+    const auto n = static_cast<double>(statistics_.passes);
+    const double per_light_path = pass_light_paths_ > 0 ? 1 / static_cast<double>(pass_light_paths_) : 0;
+    for (PassSums& sums : pass_) {
+        const Rgb value = sums.camera + sums.splat * per_light_path;
+        const Rgb before = value - sums.mean;
+        sums.mean += before / n;
+        sums.deviation += before * (value - sums.mean);
+        sums.camera = sums.splat = {};
+    }
+    pass_light_paths_ = 0;
+}
+
+Rgb Film::color(std::size_t pixel) const {
+    Rgb value;
+    if (count_[pixel] > 0) value += camera_[pixel] / count_[pixel];
+    if (!splat_.empty()) value += splat_[pixel] / static_cast<double>(statistics_.light_paths);
+    return value;
+}
+
+Rgb Film::variance(std::size_t pixel) const {
+    const auto n = static_cast<double>(statistics_.passes);
+    if (n < 2) return Rgb(std::numeric_limits<double>::infinity());
+    return pass_[pixel].deviation / (n * (n - 1));
+}
+
+void Film::fill(Aov aov, std::span<float> out) const {
+    for (std::size_t pixel = 0; pixel < camera_.size(); ++pixel) {
+        const double samples = std::max<std::uint32_t>(count_[pixel], 1);
+        switch (aov) {
+            case Aov::Color:
+                store(out, pixel, color(pixel));
+                break;
+            case Aov::Alpha:
+                store(out, pixel, surface_[pixel].hits / samples);
+                break;
+            case Aov::Depth:
+                store(out, pixel,
+                      surface_[pixel].hits > 0 ? surface_[pixel].depth / surface_[pixel].hits
+                                               : std::numeric_limits<double>::infinity());
+                break;
+            case Aov::Normal: {
+                const Vec3 n = surface_[pixel].normal / std::max(surface_[pixel].hits, 1.0);
+                store(out, pixel, Rgb(n.x, n.y, n.z));
+                break;
+            }
+            case Aov::Albedo:
+                store(out, pixel, surface_[pixel].albedo / samples);
+                break;
+            case Aov::SampleCount:
+                store(out, pixel, static_cast<double>(count_[pixel]));
+                break;
+            case Aov::Variance:
+                store(out, pixel, variance(pixel));
+                break;
+        }
+    }
+}
+
+RenderedImage Film::image() const {
+    RenderedImage image;
+    image.width = window_.x1 - window_.x0;
+    image.height = window_.y1 - window_.y0;
+    image.window = window_;
+    image.full_width = settings_.width;
+    image.full_height = settings_.height;
+    image.statistics = statistics_;
+    for (Aov aov : settings_.aovs) {
+        AovImage& out = image.aovs.emplace_back();
+        out.aov = aov;
+        out.channels = aov_channels(aov);
+        out.data.resize(camera_.size() * static_cast<std::size_t>(out.channels));
+        fill(aov, out.data);
+    }
+    return image;
+}
+
+}  // namespace etendue

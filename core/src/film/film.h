@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <etendue/film_view.h>
+#include <etendue/render_settings.h>
+
+#include "film/film_tile.h"
+#include "film/filter.h"
+
+namespace etendue {
+
+/// Sums of everything rendered so far. A pixel is the mean of its camera samples plus its splats over the number of
+/// light paths. Not synchronised: the session adds tiles in one fixed order, which makes images independent of threads.
+class Film {
+public:
+    Film(const RenderSettings& settings, const PixelWindow& window);
+
+    void add(const FilmTile& tile);
+    /// Closes a pass: its image enters the variance of the mean.
+    void end_pass();
+
+    [[nodiscard]] RenderedImage image() const;
+    [[nodiscard]] const PixelWindow& window() const { return window_; }
+    [[nodiscard]] std::int64_t passes() const { return statistics_.passes; }
+
+private:
+    /// First-hit sums; kept only when an AOV asks for them.
+    struct SurfaceSums {
+        double hits = 0;
+        double depth = 0;
+        Vec3 normal;
+        Rgb albedo;
+    };
+    /// The present pass, and running mean and squared deviations over passes (Welford).
+    struct PassSums {
+        Rgb camera;
+        Rgb splat;
+        Rgb mean;
+        Rgb deviation;
+    };
+
+    void add_samples(const FilmTile& tile);
+    void add_splat(const Splat& splat);
+    [[nodiscard]] std::size_t index(int x, int y) const;
+    [[nodiscard]] Rgb color(std::size_t pixel) const;
+    [[nodiscard]] Rgb variance(std::size_t pixel) const;
+    void fill(Aov aov, std::span<float> out) const;
+
+    RenderSettings settings_;
+    Filter filter_;
+    PixelWindow window_;
+    std::vector<Rgb> camera_;
+    std::vector<Rgb> splat_;  ///< empty until a splat arrives
+    std::vector<std::uint32_t> count_;
+    std::vector<SurfaceSums> surface_;  ///< empty unless asked for
+    std::vector<PassSums> pass_;        ///< empty unless variance is asked for
+    std::uint64_t pass_light_paths_ = 0;
+    RenderStatistics statistics_;
+};
+
+}  // namespace etendue

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "math/transform.h"
+#include "math/vec.h"
+
+namespace etendue {
+
+enum class QuadricKind { Sphere, Disk };
+
+/// An exact sphere about the origin, or a disk in the xy plane, under an affine transform (so also ellipsoids and
+/// ellipses). A disk's outward normal is object space -z when `flipped`, else +z.
+struct Quadric {
+    QuadricKind kind = QuadricKind::Sphere;
+    double radius = 1;
+    bool flipped = false;  ///< normal points the other way: left-handed orientation, or a light that shines along -z
+    Transform parent_from_object;
+
+    /// Nearest t in (t_near, t_far) along origin + t direction (parent space).
+    [[nodiscard]] std::optional<double> intersect(const Vec3& origin, const Vec3& direction, double t_near,
+                                                  double t_far) const;
+    /// The surface point nearest to `p`, which lies next to the surface; parent space.
+    [[nodiscard]] Vec3 project(const Vec3& p) const;
+    /// Outward unit normal; parent space.
+    [[nodiscard]] Vec3 normal(const Vec3& p) const;
+    /// Longitude and latitude of a sphere, polar coordinates of a disk, each in [0, 1].
+    [[nodiscard]] Vec2 st(const Vec3& p) const;
+
+    struct Bounds {
+        Vec3 lower;
+        Vec3 upper;
+    };
+    [[nodiscard]] Bounds bounds() const;
+};
+
+}  // namespace etendue

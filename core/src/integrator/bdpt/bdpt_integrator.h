@@ -1,0 +1,38 @@
+#pragma once
+
+#include "integrator/bdpt/connection.h"
+#include "integrator/bdpt/strategies.h"
+#include "integrator/bdpt/subpath.h"
+#include "integrator/integrator.h"
+
+namespace etendue {
+
+/// Bidirectional path tracing (Veach 10): all strategies that scene, camera and settings allow. Particle tracing is the
+/// subset t = 1.
+class BdptIntegrator final : public Integrator {
+public:
+    BdptIntegrator(const RenderContext& context, const StrategySet& strategies);
+
+    void render(const WorkUnit& unit, FilmTile& tile) const override;
+    [[nodiscard]] std::uint64_t light_paths_per_pass() const override;
+
+private:
+    void trace_light_paths(const WorkUnit& unit, std::uint64_t begin, std::uint64_t end, LightSubpath& path,
+                           FilmTile& tile) const;
+    void splat_light_path(const LightSubpath& path, Rng& rng, FilmTile& tile) const;
+    void sample_camera(int x, int y, std::uint64_t pass, const LightSubpath& light, CameraSubpath& camera,
+                       FilmTile& tile) const;
+    void add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Rng& rng, PixelSample& sample,
+                               FilmTile& tile) const;
+    /// The contribution as the settings ask for it: weighted, or one strategy alone, unweighted.
+    [[nodiscard]] Rgb weigh(const Contribution& c, int s, int t) const;
+    void add(const std::optional<Contribution>& c, int s, int t, PixelSample& sample, FilmTile& tile) const;
+    void splat(const std::optional<Contribution>& c, int s, int t, FilmTile& tile) const;
+
+    RenderContext context_;
+    ActiveStrategies active_;
+    SubpathTracer tracer_;
+    Connector connector_;
+};
+
+}  // namespace etendue

@@ -1,0 +1,174 @@
+#include "integrator/bdpt/connection.h"
+
+#include <cmath>
+
+#include "math/measure.h"
+
+namespace etendue {
+
+Connector::LightDensities Connector::light_densities(int light_index, const LightPoint& y, const Vec3& receiver,
+                                                     const Vec3& w) const {
+    const Light& light = context_.scene.light(light_index);
+    const LightSampler& sampler = context_.scene.light_sampler();
+    const EmissionPdf pdf = light.pdf_emission(y, w);
+    return {sampler.pmf_direct(receiver, light_index) * light.pdf_direct(receiver, y),
+            sampler.pmf_emission(light_index) * pdf.pdf_point, pdf.pdf_dir};
+}
+
+// ------------------------------------------------------------------------------------------------------- s = 0
+
+double Connector::emission_weight(const MisState& mis, const LightDensities& p, int t) const {
+    // The next strategy is next-event estimation with its own density of y0; only (1, 1) starts at the subpath's y0.
+    const double next =
+        t == 2 ? heuristic_(p.emission) * mis.adjacent : (active_.direct_light ? heuristic_(p.direct) : 0);
+    const double others = next * mis.connect + heuristic_(p.emission * p.dir) * mis.deeper;
+    return 1 / (1 + others);
+}
+
+std::optional<Contribution> Connector::emission(const CameraSubpath& camera, std::size_t i) const {
+    const Vertex& z = camera.vertices[i];
+    if (z.si.light < 0) return {};
+    const LightPoint y{z.si.p, z.si.n_g, z.si.st, z.si.p_error};
+    const Rgb radiance = context_.scene.light(z.si.light).radiance(y, z.wo);
+    if (is_black(radiance)) return {};
+    const Vec3& receiver = i == 0 ? camera.origin : camera.vertices[i - 1].si.p;
+    const LightDensities p = light_densities(z.si.light, y, receiver, z.wo);
+    return Contribution{z.beta * radiance, emission_weight(z.mis, p, static_cast<int>(i) + 2), {}};
+}
+
+std::optional<Contribution> Connector::infinite_emission(const Escape& escape, int light_index) const {
+    const LightPoint y{escape.direction, -escape.direction, {}, {}};
+    const Rgb radiance = context_.scene.light(light_index).radiance(y, -escape.direction);
+    if (is_black(radiance)) return {};
+    const LightDensities p = light_densities(light_index, y, escape.from, -escape.direction);
+    return Contribution{escape.beta * radiance, emission_weight(escape.mis, p, escape.t), {}};
+}
+
+// ------------------------------------------------------------------------------------------------------- s = 1
+
+std::optional<Contribution> Connector::direct(const Vertex& z, Rng& rng, std::uint64_t& rays) const {
+    const auto choice = context_.scene.light_sampler().sample_direct(z.si.p, rng.next_1d());
+    const Vec2 u = rng.next_2d();
+    if (!choice) return {};
+    const Light& light = context_.scene.light(choice->light);
+    const auto sample = light.sample_direct(z.si.p, u);
+    if (!sample) return {};
+    const Vec3& wi = sample->wi;
+    const Rgb f = z.bsdf->eval_cos(z.wo, wi, TransportMode::Radiance, context_.settings.adjoint);
+    Contribution c{z.beta * f * sample->weight / choice->pmf, 0, {}};
+    if (is_black(c.value)) return {};
+
+    const LightDensities p = light_densities(choice->light, sample->y, z.si.p, -wi);
+    const double pdf_direct = choice->pmf * sample->pdf_point;
+    const bool infinite = light.infinite();
+    double shorter = 0;
+    if (active_.emission_hit && !light.delta()) {
+        const double area_y = infinite ? 1 : area_per_solid_angle(z.si.p, sample->y.p, sample->y.n);
+        shorter = heuristic_(z.bsdf->pdf(z.wo, wi) * area_y / pdf_direct);
+    }
+    const double area_z = infinite ? abs_dot(wi, z.si.n_g) : area_per_solid_angle(sample->y.p, z.si.p, z.si.n_g);
+    const double longer =
+        heuristic_(p.emission / pdf_direct) * side_sum(z.mis, heuristic_, p.dir * area_z, z.bsdf->pdf(wi, z.wo));
+    c.weight = 1 / (1 + shorter + longer);
+
+    ++rays;
+    const RayEnd here = RayEnd::on(z.si);
+    const bool open =
+        infinite ? context_.scene.sees_infinity(here, wi) : context_.scene.visible(here, RayEnd::on(sample->y));
+    if (!open) return {};
+    return c;
+}
+
+// --------------------------------------------------------------------------------------------- s >= 2, t >= 2
+
+std::optional<Contribution> Connector::connect(const Vertex& y, const Vertex& z, std::uint64_t& rays) const {
+    const Vec3 d = z.si.p - y.si.p;
+    const double d2 = length_squared(d);
+    if (!(d2 > 0)) return {};
+    const Vec3 w = d / std::sqrt(d2);
+    const AdjointPolicy& policy = context_.settings.adjoint;
+    const Rgb f_y = y.bsdf->eval_cos(y.wo, w, TransportMode::Importance, policy);
+    if (is_black(f_y)) return {};
+    const Rgb f_z = z.bsdf->eval_cos(z.wo, -w, TransportMode::Radiance, policy);
+    Contribution c{y.beta * f_y * f_z * z.beta / d2, 0, {}};
+    if (is_black(c.value)) return {};
+
+    const double pdf_z = y.bsdf->pdf(y.wo, w) * area_per_solid_angle(y.si.p, z.si.p, z.si.n_g);
+    const double pdf_y = z.bsdf->pdf(z.wo, -w) * area_per_solid_angle(z.si.p, y.si.p, y.si.n_g);
+    c.weight = 1 / (1 + side_sum(y.mis, heuristic_, pdf_y, y.bsdf->pdf(w, y.wo)) +
+                    side_sum(z.mis, heuristic_, pdf_z, z.bsdf->pdf(-w, z.wo)));
+
+    ++rays;
+    if (!context_.scene.visible(RayEnd::on(y.si), RayEnd::on(z.si))) return {};
+    return c;
+}
+
+// ------------------------------------------------------------------------------------------------------ t <= 1
+
+bool Connector::on_film(const Vec2& raster) const {
+    const double r = context_.filter.radius() - 0.5;  // how far beyond its own square a pixel gathers
+    const PixelWindow& window = context_.window;
+    return raster.x >= window.x0 - r && raster.x < window.x1 + r && raster.y >= window.y0 - r &&
+           raster.y < window.y1 + r;
+}
+
+double Connector::lens_ratio(double pdf_to_lens, const LensSample& lens) const {
+    if (!active_.lens_hit) return 0;
+    const double cos_lens = abs_dot(lens.direction, context_.camera.forward());
+    const double area = std::isinf(lens.distance) ? cos_lens : cos_lens / (lens.distance * lens.distance);
+    return heuristic_(pdf_to_lens * area / lens.pdf_lens);
+}
+
+std::optional<Contribution> Connector::to_lens(const Vertex& y, Rng& rng, std::uint64_t& rays) const {
+    const auto lens = context_.camera.sample_lens(y.si.p, rng.next_2d());
+    if (!lens || !on_film(lens->raster)) return {};
+    const Vec3 w = -lens->direction;
+    const Rgb f = y.bsdf->eval_cos(y.wo, w, TransportMode::Importance, context_.settings.adjoint);
+    Contribution c{y.beta * f * lens->weight, 0, lens->raster};
+    if (is_black(c.value)) return {};
+
+    const double pdf_y = lens->pdf_dir * area_per_solid_angle(lens->origin, y.si.p, y.si.n_g);
+    const double shorter = side_sum(y.mis, heuristic_, pdf_y, y.bsdf->pdf(w, y.wo)) / heuristic_(active_.light_paths);
+    c.weight = 1 / (1 + shorter + lens_ratio(y.bsdf->pdf(y.wo, w), *lens));
+
+    ++rays;
+    if (!context_.scene.visible(RayEnd::on(y.si), RayEnd::free(lens->origin))) return {};
+    return c;
+}
+
+std::optional<Contribution> Connector::start_to_lens(const LightStart& start, Rng& rng, std::uint64_t& rays) const {
+    const Light& light = context_.scene.light(start.light);
+    const Vec2 u_lens = rng.next_2d();
+    if (light.delta()) return {};  // a point of light itself is not in the picture
+    const bool infinite = light.infinite();
+    const auto lens = infinite ? context_.camera.sample_lens_towards(start.y.p, u_lens)
+                               : context_.camera.sample_lens(start.y.p, u_lens);
+    if (!lens || !on_film(lens->raster)) return {};
+    const Vec3 w = -lens->direction;
+    const double cos_y = infinite ? 1 : abs_dot(w, start.y.n);
+    Contribution c{light.radiance(start.y, w) * (cos_y * lens->weight / start.pdf_point), 0, lens->raster};
+    if (is_black(c.value)) return {};
+
+    const double area_y = infinite ? 1 : area_per_solid_angle(lens->origin, start.y.p, start.y.n);
+    const double shorter =
+        active_.emission_hit ? heuristic_(lens->pdf_dir * area_y / (start.pdf_point * active_.light_paths)) : 0;
+    c.weight = 1 / (1 + shorter + lens_ratio(light.pdf_emission(start.y, w).pdf_dir, *lens));
+
+    ++rays;
+    const bool open = infinite ? context_.scene.sees_infinity(RayEnd::free(lens->origin), lens->direction)
+                               : context_.scene.visible(RayEnd::on(start.y), RayEnd::free(lens->origin));
+    if (!open) return {};
+    return c;
+}
+
+Contribution Connector::lens_hit(const LensCrossing& crossing) const {
+    const LensHit& hit = crossing.hit;
+    Contribution c{crossing.beta * hit.importance, 0, hit.raster};
+    // The first vertex of a light subpath is not chosen anew for (1, 1), so its direct-light factor does not apply.
+    const double joined = active_.light_image ? crossing.mis.connect : 0;
+    const double traced = heuristic_(hit.pdf_dir / active_.light_paths) * crossing.mis.deeper;
+    c.weight = 1 / (1 + heuristic_(hit.pdf_lens) * (joined + traced));
+    return c;
+}
+
+}  // namespace etendue

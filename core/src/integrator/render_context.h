@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include <etendue/render_settings.h>
+
+#include "camera/camera.h"
+#include "film/filter.h"
+#include "scene/scene.h"
+
+namespace etendue {
+
+/// What every integrator needs; outlives the render.
+struct RenderContext {
+    const Scene& scene;
+    const Camera& camera;
+    const RenderSettings& settings;
+    Filter filter;
+    PixelWindow window;  ///< pixels to render, within the full image
+    bool wants_surface;  ///< an AOV describes the first surface
+    bool wants_albedo;
+};
+
+/// A share of a pass: one sample for each pixel of the tile, and some of the pass's light paths.
+struct WorkUnit {
+    PixelWindow tile;
+    std::uint64_t pass = 0;
+    std::uint64_t light_begin = 0;  ///< numbers of light paths within the pass
+    std::uint64_t light_end = 0;
+};
+
+}  // namespace etendue

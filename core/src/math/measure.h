@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cmath>
+
+#include "math/vec.h"
+
+namespace etendue {
+
+/// The only conversions between densities per solid angle (pdf_w) and per area (pdf_a). The normal is always the
+/// GEOMETRIC normal of the surface on which the area lies: area is geometry, and shading normals are part of the BSDF
+/// (theory.md §6).
+
+/// pdf_a = pdf_w * |cos| / d^2 for the point `to` on a surface of normal `n_g_to`, seen from `from`.
+inline double area_per_solid_angle(const Vec3& from, const Vec3& to, const Vec3& n_g_to) {
+    const Vec3 d = to - from;
+    const double d2 = length_squared(d);
+    return abs_dot(d, n_g_to) / (d2 * std::sqrt(d2));
+}
+
+/// G without visibility (theory.md §1).
+inline double geometry_term(const Vec3& a, const Vec3& n_g_a, const Vec3& b, const Vec3& n_g_b) {
+    const Vec3 d = b - a;
+    const double d2 = length_squared(d);
+    return abs_dot(d, n_g_a) * abs_dot(d, n_g_b) / (d2 * d2);
+}
+
+}  // namespace etendue

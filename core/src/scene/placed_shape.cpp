@@ -1,0 +1,85 @@
+#include "scene/placed_shape.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include <etendue/error.h>
+
+#include "geometry/tessellate.h"
+
+namespace etendue {
+namespace {
+
+void check_indices(const ShapeDesc& shape, const SceneDescription& scene) {
+    if (shape.geometry < 0 || shape.geometry >= static_cast<int>(scene.geometries.size())) {
+        throw SceneError(shape.name + ": geometry index " + std::to_string(shape.geometry) + " is out of range");
+    }
+    if (shape.materials.empty()) throw SceneError(shape.name + ": shape has no material");
+    for (int material : shape.materials) {
+        if (material < 0 || material >= static_cast<int>(scene.materials.size())) {
+            throw SceneError(shape.name + ": material index " + std::to_string(material) + " is out of range");
+        }
+    }
+}
+
+void check_slots(const TriangleMesh& mesh, const ShapeDesc& shape) {
+    const auto slots = static_cast<int>(shape.materials.size());
+    for (int slot : mesh.material_slots) {
+        if (slot < 0 || slot >= slots) {
+            throw SceneError(shape.name + ": face material " + std::to_string(slot) + " is out of range");
+        }
+    }
+}
+
+PlacedGeometry place_geometry(const GeometryDesc& desc, const Transform& parent_from_object, const std::string& name,
+                              bool as_mesh) {
+    return std::visit(
+        [&](const auto& geometry) -> PlacedGeometry {
+            using Kind = std::decay_t<decltype(geometry)>;
+            if constexpr (std::is_same_v<Kind, MeshDesc>) {
+                return make_triangle_mesh(geometry, parent_from_object, name);
+            } else {
+                if constexpr (std::is_same_v<Kind, SphereDesc>) {
+                    if (!(geometry.radius > 0)) throw SceneError(name + ": radius must be positive");
+                    if (!as_mesh) return Quadric{QuadricKind::Sphere, geometry.radius, false, parent_from_object};
+                }
+                return make_triangle_mesh(tessellate(geometry), parent_from_object, name);
+            }
+        },
+        desc);
+}
+
+Transform placement(const ShapeDesc& shape) {
+    try {
+        return Transform(shape.parent_from_object);
+    } catch (const SceneError& error) {
+        throw SceneError(shape.name + ": " + error.what());
+    }
+}
+
+}  // namespace
+
+bool is_emissive(const MaterialDesc& material) {
+    return material.emission.texture >= 0 || max_component(Rgb(material.emission.value)) > 0;
+}
+
+bool is_emissive(const ShapeDesc& shape, const SceneDescription& scene) {
+    return std::any_of(shape.materials.begin(), shape.materials.end(), [&](int material) {
+        return is_emissive(scene.materials.at(static_cast<std::size_t>(material)));
+    });
+}
+
+PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh) {
+    check_indices(shape, scene);
+    const GeometryDesc& geometry = scene.geometries[static_cast<std::size_t>(shape.geometry)];
+    PlacedShape placed;
+    placed.name = shape.name;
+    placed.materials = shape.materials;
+    placed.geometry = std::make_unique<PlacedGeometry>(
+        place_geometry(geometry, placement(shape), shape.name, as_mesh || is_emissive(shape, scene)));
+    if (const auto* mesh = std::get_if<TriangleMesh>(placed.geometry.get())) check_slots(*mesh, shape);
+    return placed;
+}
+
+}  // namespace etendue

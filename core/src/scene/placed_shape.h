@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <etendue/scene_description.h>
+
+#include "accel/embree_accel.h"
+#include "math/rgb.h"
+
+namespace etendue {
+
+/// A shape ready to be traced, in world space or in its group's.
+struct PlacedShape {
+    std::string name;
+    std::unique_ptr<PlacedGeometry> geometry;  ///< its address is given to the accelerator
+    std::vector<int> materials;                ///< by slot
+    std::vector<int> lights;                   ///< by slot, -1: none; empty: none at all (instanced: see Scene)
+};
+
+/// Checks and places one shape. `as_mesh` asks for triangles even where an exact surface exists. Throws SceneError
+/// naming the shape.
+[[nodiscard]] PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh);
+
+/// Whether any slot's material emits.
+[[nodiscard]] bool is_emissive(const ShapeDesc& shape, const SceneDescription& scene);
+[[nodiscard]] bool is_emissive(const MaterialDesc& material);
+
+}  // namespace etendue

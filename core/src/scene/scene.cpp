@@ -1,0 +1,223 @@
+#include "scene/scene.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <etendue/error.h>
+
+#include "light/make_light.h"
+#include "scene/interaction.h"
+#include "scene/light_triangles.h"
+#include "scene/material_glow.h"
+
+namespace etendue {
+namespace {
+
+Transform instance_transform(const InstanceDesc& instance) {
+    try {
+        return Transform(instance.world_from_group);
+    } catch (const SceneError& error) {
+        throw SceneError(instance.name + ": " + error.what());
+    }
+}
+
+std::vector<const PlacedGeometry*> geometries(const std::vector<PlacedShape>& shapes) {
+    std::vector<const PlacedGeometry*> out;
+    for (const PlacedShape& shape : shapes) out.push_back(shape.geometry.get());
+    return out;
+}
+
+/// Shapes that serve as mesh lights, by the light that does.
+std::vector<int> mesh_light_shapes(const SceneDescription& description) {
+    std::vector<int> light_of_shape(description.shapes.size(), -1);
+    for (std::size_t i = 0; i < description.lights.size(); ++i) {
+        const LightDesc& light = description.lights[i];
+        if (light.kind != LightKind::Mesh) continue;
+        if (light.shape < 0 || light.shape >= static_cast<int>(light_of_shape.size())) {
+            throw SceneError(light.name + ": mesh light has no shape");
+        }
+        light_of_shape[static_cast<std::size_t>(light.shape)] = static_cast<int>(i);
+    }
+    return light_of_shape;
+}
+
+}  // namespace
+
+Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points)
+    : textures_(description.textures), materials_(description.materials) {
+    place_shapes(description);
+    place_instances(description);
+    place_light_shapes(description);
+    build_accel();
+    make_lights(description, find_bounds(lens_points));
+    make_emissive_lights();
+    light_sampler_ = std::make_unique<LightSampler>(lights_);
+}
+
+void Scene::place_shapes(const SceneDescription& description) {
+    const std::vector<int> light_of_shape = mesh_light_shapes(description);
+    for (std::size_t i = 0; i < description.shapes.size(); ++i) {
+        shapes_.push_back(place_shape(description.shapes[i], description, light_of_shape[i] >= 0));
+    }
+    for (const GroupDesc& group : description.groups) {
+        std::vector<PlacedShape> shapes;
+        for (const ShapeDesc& shape : group.shapes) shapes.push_back(place_shape(shape, description, false));
+        groups_.push_back(std::move(shapes));
+    }
+}
+
+void Scene::place_instances(const SceneDescription& description) {
+    for (const InstanceDesc& instance : description.instances) {
+        if (instance.group < 0 || instance.group >= static_cast<int>(groups_.size())) {
+            throw SceneError(instance.name + ": group index " + std::to_string(instance.group) + " is out of range");
+        }
+        instances_.push_back({static_cast<std::size_t>(instance.group), instance_transform(instance), {}});
+    }
+}
+
+void Scene::place_light_shapes(const SceneDescription& description) {
+    for (std::size_t i = 0; i < description.lights.size(); ++i) {
+        std::optional<LightShape> shape = make_light_shape(description.lights[i]);
+        if (!shape) continue;
+        PlacedShape placed;
+        placed.name = description.lights[i].name;
+        placed.geometry = std::make_unique<PlacedGeometry>(std::move(*shape));
+        placed.materials = {-1};
+        placed.lights = {static_cast<int>(i)};
+        shapes_.push_back(std::move(placed));
+    }
+}
+
+void Scene::build_accel() {
+    AccelInput input;
+    input.top = geometries(shapes_);
+    for (const auto& group : groups_) input.groups.push_back(geometries(group));
+    for (const Instance& instance : instances_) input.instances.push_back({instance.group, instance.world_from_group});
+    accel_ = std::make_unique<EmbreeAccel>(input);
+}
+
+SceneBounds Scene::find_bounds(const std::vector<Vec3>& lens_points) const {
+    std::optional<AccelBounds> box = accel_->bounds();
+    for (const Vec3& p : lens_points) {
+        box = box ? AccelBounds{min(box->lower, p), max(box->upper, p)} : AccelBounds{p, p};
+    }
+    if (!box) return {};
+    const Vec3 center = (box->lower + box->upper) * 0.5;
+    const double radius = length(box->upper - center);
+    return {center, radius > 0 ? radius : 1};
+}
+
+int Scene::add_light(std::unique_ptr<Light> light) {
+    const int index = static_cast<int>(lights_.size());
+    if (light->infinite()) infinite_lights_.push_back(index);
+    lights_.push_back(std::move(light));
+    return index;
+}
+
+void Scene::make_lights(const SceneDescription& description, const SceneBounds& bounds) {
+    for (const LightDesc& desc : description.lights) {
+        if (desc.kind != LightKind::Mesh) {
+            add_light(make_light(desc, bounds));
+            continue;
+        }
+        PlacedShape& shape = shapes_[static_cast<std::size_t>(desc.shape)];
+        const auto& mesh = std::get<TriangleMesh>(*shape.geometry);
+        std::shared_ptr<const EmissionTexture> tint;
+        if (desc.tinted_by_material) {
+            tint = std::make_shared<MaterialGlow>(materials_[static_cast<std::size_t>(shape.materials[0])], textures_);
+        } else {
+            shape.materials.assign(shape.materials.size(), -1);
+        }
+        const int index = add_light(make_mesh_light(desc, light_triangles(mesh, -1, {}), std::move(tint)));
+        shape.lights.assign(shape.materials.size(), index);
+    }
+}
+
+std::vector<int> Scene::make_slot_lights(const PlacedShape& shape, const Transform& world_from_parent) {
+    std::vector<int> lights(shape.materials.size(), -1);
+    const auto* mesh = std::get_if<TriangleMesh>(shape.geometry.get());
+    if (mesh == nullptr) return lights;
+    for (std::size_t slot = 0; slot < lights.size(); ++slot) {
+        const int material_index = shape.materials[slot];
+        if (material_index < 0) continue;
+        const MaterialDesc& material = materials_[static_cast<std::size_t>(material_index)];
+        if (!is_emissive(material)) continue;
+        std::vector<LightTriangle> triangles = light_triangles(*mesh, static_cast<int>(slot), world_from_parent);
+        if (!(MeshLight::world_area(triangles) > 0)) continue;
+        if (material.emission.texture >= 0) {
+            lights[slot] = add_light(std::make_unique<MeshLight>(std::move(triangles), Rgb(1),
+                                                                 std::make_shared<MaterialGlow>(material, textures_)));
+        } else {
+            lights[slot] =
+                add_light(std::make_unique<MeshLight>(std::move(triangles), Rgb(material.emission.value), nullptr));
+        }
+    }
+    return lights;
+}
+
+void Scene::make_emissive_lights() {
+    const auto emits = [this](const PlacedShape& shape) {
+        for (int material : shape.materials) {
+            if (material >= 0 && is_emissive(materials_[static_cast<std::size_t>(material)])) return true;
+        }
+        return false;
+    };
+    for (PlacedShape& shape : shapes_) {
+        if (shape.lights.empty() && emits(shape)) shape.lights = make_slot_lights(shape, {});
+    }
+    for (Instance& instance : instances_) {
+        const std::vector<PlacedShape>& group = groups_[instance.group];
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            if (!emits(group[i])) continue;
+            instance.lights.resize(group.size());
+            instance.lights[i] = make_slot_lights(group[i], instance.world_from_group);
+        }
+    }
+}
+
+std::optional<SurfaceInteraction> Scene::intersect(const Ray& ray) const {
+    const std::optional<AccelHit> hit = accel_->intersect(ray);
+    if (!hit) return {};
+    if (hit->instance == kNoInstance) {
+        const PlacedShape& shape = shapes_[hit->geometry];
+        SurfaceInteraction si = interact(*shape.geometry, ray, *hit);
+        const auto slot = static_cast<std::size_t>(hit_slot(*shape.geometry, *hit));
+        si.material = shape.materials[slot];
+        if (!shape.lights.empty()) si.light = shape.lights[slot];
+        return si;
+    }
+    const Instance& instance = instances_[hit->instance];
+    const PlacedShape& shape = groups_[instance.group][hit->geometry];
+    const Ray local{instance.world_from_group.inverse_point(ray.origin),
+                    instance.world_from_group.inverse_vector(ray.direction)};
+    SurfaceInteraction si = interact(*shape.geometry, local, *hit);
+    to_world(instance.world_from_group, si);
+    const auto slot = static_cast<std::size_t>(hit_slot(*shape.geometry, *hit));
+    si.material = shape.materials[slot];
+    if (!instance.lights.empty() && !instance.lights[hit->geometry].empty()) {
+        si.light = instance.lights[hit->geometry][slot];
+    }
+    return si;
+}
+
+bool Scene::visible(const RayEnd& a, const RayEnd& b) const {
+    const Vec3 d = b.p - a.p;
+    const Vec3 from = offset_origin(a.p, a.p_error, a.n_g, d);
+    // The ray's direction is rounded to float: over its whole length that moves the far end by a few roundings of it.
+    const double slack = max_component(abs(d)) * (4 * kFloatRounding);
+    const Vec3 to = offset_origin(b.p, b.p_error + Vec3(slack, slack, slack), b.n_g, -d);
+    return !accel_->occluded({from, to - from}, 1);
+}
+
+bool Scene::sees_infinity(const RayEnd& a, const Vec3& direction) const {
+    return !accel_->occluded({offset_origin(a.p, a.p_error, a.n_g, direction), direction}, kInfinity);
+}
+
+Rgb Scene::albedo(const SurfaceInteraction& si) const {
+    if (!scatters(si)) return {};
+    return material_albedo(materials_[static_cast<std::size_t>(si.material)], textures_, si.st);
+}
+
+}  // namespace etendue

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <etendue/scene_description.h>
+
+#include "accel/embree_accel.h"
+#include "bsdf/material.h"
+#include "geometry/ray.h"
+#include "geometry/surface_interaction.h"
+#include "light/light.h"
+#include "light/light_sampler.h"
+#include "scene/placed_shape.h"
+#include "texture/texture_set.h"
+
+namespace etendue {
+
+/// One end of a visibility ray. Points that lie on no surface (a lens, a point light) have zero error.
+struct RayEnd {
+    Vec3 p;
+    Vec3 p_error;
+    Vec3 n_g;
+
+    static RayEnd on(const SurfaceInteraction& si) { return {si.p, si.p_error, si.n_g}; }
+    static RayEnd on(const LightPoint& y) { return {y.p, y.p_error, y.n}; }
+    static RayEnd free(const Vec3& p) { return {p, {}, {}}; }
+};
+
+/// Everything that paths meet, ready to be traced. Immutable; safe to use from any number of threads.
+class Scene {
+public:
+    /// `lens_points` are positions that light must be able to reach besides the geometry (cameras with a lens). Throws
+    /// SceneError or FileError naming the prim or file.
+    Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points);
+
+    [[nodiscard]] std::optional<SurfaceInteraction> intersect(const Ray& ray) const;
+    [[nodiscard]] bool visible(const RayEnd& a, const RayEnd& b) const;
+    /// Whether nothing lies from `a` along the unit `direction`.
+    [[nodiscard]] bool sees_infinity(const RayEnd& a, const Vec3& direction) const;
+
+    /// Surfaces without a material (lights' own shapes) absorb everything.
+    [[nodiscard]] static bool scatters(const SurfaceInteraction& si) { return si.material >= 0; }
+    /// Needs scatters(si).
+    [[nodiscard]] Bsdf bsdf(const SurfaceInteraction& si) const {
+        return make_bsdf(materials_[static_cast<std::size_t>(si.material)], textures_, si);
+    }
+    [[nodiscard]] Rgb albedo(const SurfaceInteraction& si) const;
+
+    [[nodiscard]] const Light& light(int index) const { return *lights_[static_cast<std::size_t>(index)]; }
+    [[nodiscard]] const std::vector<int>& infinite_lights() const { return infinite_lights_; }
+    [[nodiscard]] const LightSampler& light_sampler() const { return *light_sampler_; }
+    [[nodiscard]] bool has_lights() const { return !lights_.empty(); }
+
+private:
+    struct Instance {
+        std::size_t group;
+        Transform world_from_group;
+        std::vector<std::vector<int>> lights;  ///< [shape][slot]; empty: none
+    };
+
+    void place_shapes(const SceneDescription& description);
+    void place_instances(const SceneDescription& description);
+    void place_light_shapes(const SceneDescription& description);
+    void build_accel();
+    [[nodiscard]] SceneBounds find_bounds(const std::vector<Vec3>& lens_points) const;
+    void make_lights(const SceneDescription& description, const SceneBounds& bounds);
+    void make_emissive_lights();
+    std::vector<int> make_slot_lights(const PlacedShape& shape, const Transform& world_from_parent);
+    int add_light(std::unique_ptr<Light> light);
+
+    TextureSet textures_;
+    std::vector<MaterialDesc> materials_;
+    std::vector<PlacedShape> shapes_;  ///< top level; the lights' own shapes come last
+    std::vector<std::vector<PlacedShape>> groups_;
+    std::vector<Instance> instances_;
+    std::vector<std::unique_ptr<Light>> lights_;
+    std::vector<int> infinite_lights_;
+    std::unique_ptr<LightSampler> light_sampler_;
+    std::unique_ptr<EmbreeAccel> accel_;
+};
+
+}  // namespace etendue

@@ -1,0 +1,69 @@
+#include "session/pass.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <tbb/concurrent_queue.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+namespace etendue {
+namespace {
+
+/// Small enough to spread over cores and to keep a unit's light vertices in cache, large enough to amortise hand-over.
+constexpr int kTileSize = 16;
+
+std::vector<WorkUnit> cut(const PixelWindow& window, std::uint64_t light_paths) {
+    std::vector<WorkUnit> units;
+    for (int y = window.y0; y < window.y1; y += kTileSize) {
+        for (int x = window.x0; x < window.x1; x += kTileSize) {
+            WorkUnit unit;
+            unit.tile = {x, y, std::min(x + kTileSize, window.x1), std::min(y + kTileSize, window.y1)};
+            units.push_back(unit);
+        }
+    }
+    for (std::uint64_t i = 0; i < units.size(); ++i) {
+        units[i].light_begin = light_paths * i / units.size();
+        units[i].light_end = light_paths * (i + 1) / units.size();
+    }
+    return units;
+}
+
+}  // namespace
+
+PassRunner::PassRunner(const Integrator& integrator, const PixelWindow& window)
+    : integrator_(integrator), units_(cut(window, integrator.light_paths_per_pass())) {}
+
+bool PassRunner::run(std::uint64_t pass, const std::atomic<bool>& stop, const Sink& sink) const {
+    using TilePtr = std::shared_ptr<FilmTile>;
+    tbb::concurrent_queue<TilePtr> spare;
+    std::size_t next = 0;
+    const auto generate = [&](tbb::flow_control& control) -> std::size_t {
+        if (next == units_.size() || stop.load(std::memory_order_relaxed)) {
+            control.stop();
+            return 0;
+        }
+        return next++;
+    };
+    const auto render = [&](std::size_t unit) {
+        TilePtr tile;
+        if (!spare.try_pop(tile)) tile = std::make_shared<FilmTile>();
+        WorkUnit work = units_[unit];
+        work.pass = pass;
+        tile->reset(work.tile);
+        integrator_.render(work, *tile);
+        return tile;
+    };
+    const auto hand_over = [&](const TilePtr& tile) {
+        sink(*tile);
+        spare.push(tile);
+    };
+    const auto in_flight = static_cast<std::size_t>(4 * tbb::this_task_arena::max_concurrency());
+    tbb::parallel_pipeline(in_flight,
+                           tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, generate) &
+                               tbb::make_filter<std::size_t, TilePtr>(tbb::filter_mode::parallel, render) &
+                               tbb::make_filter<TilePtr, void>(tbb::filter_mode::serial_in_order, hand_over));
+    return next == units_.size();
+}
+
+}  // namespace etendue

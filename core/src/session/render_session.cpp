@@ -1,0 +1,205 @@
+#include <etendue/render_session.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include <tbb/task_arena.h>
+
+#include "film/film.h"
+#include "integrator/integrator.h"
+#include "session/pass.h"
+#include "session/validate_settings.h"
+
+namespace etendue {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool asks_for(const RenderSettings& settings, std::initializer_list<Aov> aovs) {
+    return std::any_of(aovs.begin(), aovs.end(), [&](Aov aov) {
+        return std::find(settings.aovs.begin(), settings.aovs.end(), aov) != settings.aovs.end();
+    });
+}
+
+Camera make_camera(const SceneDescription& scene, const RenderSettings& settings) {
+    validate_settings(settings, scene);
+    return Camera(scene.cameras[static_cast<std::size_t>(settings.camera)], settings.width, settings.height,
+                  settings.conform);
+}
+
+std::vector<Vec3> lens_points(const Camera& camera) {
+    if (!camera.has_lens()) return {};
+    return {camera.position()};
+}
+
+RenderContext make_context(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
+    return {scene,
+            camera,
+            settings,
+            Filter(settings.filter),
+            render_window(settings),
+            asks_for(settings, {Aov::Alpha, Aov::Depth, Aov::Normal, Aov::Albedo}),
+            asks_for(settings, {Aov::Albedo})};
+}
+
+int thread_count(const RenderSettings& settings) {
+    return settings.threads > 0 ? settings.threads : tbb::task_arena::automatic;
+}
+
+}  // namespace
+
+class RenderSession::Impl {
+public:
+    Impl(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback)
+        : settings_(settings),
+          callback_(std::move(callback)),
+          camera_(make_camera(scene, settings_)),
+          arena_(thread_count(settings_)),
+          scene_(scene, lens_points(camera_)),
+          integrator_(make_integrator(make_context(scene_, camera_, settings_))),
+          runner_(*integrator_, render_window(settings_)),
+          film_(settings_, render_window(settings_)) {}
+
+    ~Impl() {
+        cancel();
+        if (thread_.joinable()) thread_.join();
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    void start() {
+        const std::lock_guard lock(state_mutex_);
+        if (started_) return;
+        started_ = true;
+        begin_ = Clock::now();
+        thread_ = std::thread([this] { run(); });
+    }
+
+    void cancel() noexcept { stop_ = true; }
+
+    void wait() {
+        std::unique_lock lock(state_mutex_);
+        ended_signal_.wait(lock, [this] { return ended_ || !started_; });
+        if (failure_) std::rethrow_exception(failure_);
+    }
+
+    bool wait_for(double seconds) {
+        std::unique_lock lock(state_mutex_);
+        return ended_signal_.wait_for(lock, std::chrono::duration<double>(seconds),
+                                      [this] { return ended_ || !started_; });
+    }
+
+    RenderProgress progress() const {
+        RenderProgress p;
+        {
+            const std::lock_guard lock(state_mutex_);
+            p.finished = ended_;
+            p.seconds = seconds();
+        }
+        p.passes_done = passes_done_;
+        p.passes_total = settings_.samples_per_pixel;
+        if (p.passes_total > 0) p.fraction = static_cast<double>(p.passes_done) / static_cast<double>(p.passes_total);
+        if (settings_.time_limit > 0) p.fraction = std::max(p.fraction, p.seconds / settings_.time_limit);
+        p.fraction = p.finished ? 1 : std::min(p.fraction, 1.0);
+        return p;
+    }
+
+    RenderedImage snapshot() const {
+        RenderedImage image;
+        {
+            const std::lock_guard lock(film_mutex_);
+            image = film_.image();
+        }
+        const std::lock_guard lock(state_mutex_);
+        image.statistics.seconds = seconds();
+        return image;
+    }
+
+private:
+    /// Needs state_mutex_.
+    [[nodiscard]] double seconds() const {
+        if (!started_) return 0;
+        return std::chrono::duration<double>((ended_ ? end_ : Clock::now()) - begin_).count();
+    }
+
+    void run() {
+        std::exception_ptr failure;
+        try {
+            arena_.execute([this] { render_passes(); });
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        {
+            const std::lock_guard lock(state_mutex_);
+            failure_ = failure;
+            ended_ = true;
+            end_ = Clock::now();
+        }
+        if (callback_) callback_(progress());
+        ended_signal_.notify_all();
+    }
+
+    void render_passes() {
+        for (int pass = 0; settings_.samples_per_pixel == 0 || pass < settings_.samples_per_pixel; ++pass) {
+            if (!runner_.run(static_cast<std::uint64_t>(pass), stop_, [this](const FilmTile& tile) { take(tile); })) {
+                return;
+            }
+            {
+                const std::lock_guard lock(film_mutex_);
+                film_.end_pass();
+            }
+            ++passes_done_;
+            if (callback_) callback_(progress());
+        }
+    }
+
+    void take(const FilmTile& tile) {
+        const std::lock_guard lock(film_mutex_);
+        film_.add(tile);
+        if (settings_.time_limit > 0 && Clock::now() - begin_ >= std::chrono::duration<double>(settings_.time_limit)) {
+            stop_ = true;
+        }
+    }
+
+    RenderSettings settings_;
+    ProgressCallback callback_;
+    Camera camera_;
+    tbb::task_arena arena_;
+    Scene scene_;
+    std::unique_ptr<Integrator> integrator_;
+    PassRunner runner_;
+    Film film_;
+
+    mutable std::mutex film_mutex_;
+    mutable std::mutex state_mutex_;
+    std::condition_variable ended_signal_;
+    std::atomic<bool> stop_{false};
+    std::atomic<std::int64_t> passes_done_{0};
+    bool started_ = false;
+    bool ended_ = false;
+    std::exception_ptr failure_;
+    Clock::time_point begin_;
+    Clock::time_point end_;
+    std::thread thread_;
+};
+
+RenderSession::RenderSession(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback)
+    : impl_(std::make_unique<Impl>(scene, settings, std::move(callback))) {}
+RenderSession::~RenderSession() = default;
+RenderSession::RenderSession(RenderSession&&) noexcept = default;
+RenderSession& RenderSession::operator=(RenderSession&&) noexcept = default;
+
+void RenderSession::start() { impl_->start(); }
+void RenderSession::cancel() noexcept { impl_->cancel(); }
+void RenderSession::wait() { impl_->wait(); }
+bool RenderSession::wait_for(double seconds) { return impl_->wait_for(seconds); }
+RenderProgress RenderSession::progress() const { return impl_->progress(); }
+RenderedImage RenderSession::snapshot() const { return impl_->snapshot(); }
+
+}  // namespace etendue

@@ -1,0 +1,52 @@
+#include "session/validate_settings.h"
+
+#include <cmath>
+#include <string>
+
+#include <etendue/error.h>
+
+namespace etendue {
+namespace {
+
+void require(bool holds, const char* message) {
+    if (!holds) throw SettingsError(message);
+}
+
+void validate_camera(const RenderSettings& settings, const SceneDescription& scene) {
+    const std::string prefix = scene.source.empty() ? "" : scene.source + ": ";
+    if (scene.cameras.empty()) throw SceneError(prefix + "the scene has no camera");
+    if (settings.camera < 0 || settings.camera >= static_cast<int>(scene.cameras.size())) {
+        throw SettingsError(prefix + "camera index " + std::to_string(settings.camera) + " is out of range");
+    }
+}
+
+void validate_window(const RenderSettings& settings) {
+    require(settings.width > 0 && settings.height > 0, "the image must be at least one pixel wide and high");
+    const PixelWindow w = render_window(settings);
+    require(w.x0 >= 0 && w.y0 >= 0 && w.x1 <= settings.width && w.y1 <= settings.height,
+            "the crop reaches beyond the image");
+    require(w.x0 < w.x1 && w.y0 < w.y1, "the crop is empty");
+}
+
+}  // namespace
+
+void validate_settings(const RenderSettings& settings, const SceneDescription& scene) {
+    validate_camera(settings, scene);
+    validate_window(settings);
+    require(settings.samples_per_pixel >= 0, "samples per pixel must not be negative");
+    require(settings.time_limit >= 0 && std::isfinite(settings.time_limit), "the time limit must not be negative");
+    require(settings.samples_per_pixel > 0 || settings.time_limit > 0,
+            "a render needs a number of samples per pixel or a time limit");
+    require(settings.max_depth >= 0, "the maximum depth must not be negative");
+    require(settings.threads >= 0, "the number of threads must not be negative");
+    require(settings.light_paths_per_pixel >= 0 && std::isfinite(settings.light_paths_per_pixel),
+            "light paths per pixel must not be negative");
+    require(!settings.single_strategy || settings.integrator == IntegratorKind::Bdpt,
+            "a single strategy needs the bdpt integrator");
+}
+
+PixelWindow render_window(const RenderSettings& settings) {
+    return settings.crop.value_or(PixelWindow{0, 0, settings.width, settings.height});
+}
+
+}  // namespace etendue
