@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
+#include <ostream>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -68,10 +71,16 @@ public:
     [[nodiscard]] Rgb at(const Vec2& st) const override { return {1 + st.x, 0.5, 0.25 + st.y}; }
 };
 
+/// A light and, of a surface, where its points are.
 struct LightCase {
     std::string name;
     std::shared_ptr<const Light> light;
+    std::vector<LightTriangle> triangles;
+    std::optional<Quadric> quadric;
 };
+
+/// How a failing test shows its case.
+inline void PrintTo(const LightCase& light_case, std::ostream* out) { *out << light_case.name; }
 
 inline std::string case_name(const testing::TestParamInfo<LightCase>& param) {
     std::string name = param.param.name;
@@ -80,7 +89,26 @@ inline std::string case_name(const testing::TestParamInfo<LightCase>& param) {
 }
 
 inline LightCase light_case(std::string name, const LightDesc& desc) {
-    return {std::move(name), make_light(desc, kBounds)};
+    LightCase result{std::move(name), make_light(desc, kBounds), {}, {}};
+    const std::optional<LightShape> shape = make_light_shape(desc);
+    if (!shape) return result;
+    if (const auto* quadric = std::get_if<Quadric>(&*shape)) {
+        result.quadric = *quadric;
+        return result;
+    }
+    const auto& mesh = std::get<TriangleMesh>(*shape);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const bool flip = mesh.outward < 0;
+        result.triangles.push_back({{mesh.point(t, 0), mesh.point(t, flip ? 2 : 1), mesh.point(t, flip ? 1 : 2)}, {}});
+    }
+    return result;
+}
+
+inline LightCase mesh_case(std::string name, std::shared_ptr<const EmissionTexture> texture) {
+    return {std::move(name),
+            make_mesh_light(light_desc(LightKind::Mesh), tetrahedron(), std::move(texture)),
+            tetrahedron(),
+            {}};
 }
 
 inline std::vector<LightCase> surface_lights() {
@@ -94,9 +122,8 @@ inline std::vector<LightCase> surface_lights() {
     }
     cases.push_back(light_case("SphereFlat", light_desc(LightKind::Sphere, scaling(1, 1.3, 0.05))));
     cases.push_back(light_case("SphereLong", light_desc(LightKind::Sphere, scaling(4, 0.2, 0.3))));
-    cases.push_back({"Mesh", make_mesh_light(light_desc(LightKind::Mesh), tetrahedron(), nullptr)});
-    cases.push_back(
-        {"MeshTextured", make_mesh_light(light_desc(LightKind::Mesh), tetrahedron(), std::make_shared<RampTexture>())});
+    cases.push_back(mesh_case("Mesh", nullptr));
+    cases.push_back(mesh_case("MeshTextured", std::make_shared<RampTexture>()));
     return cases;
 }
 
