@@ -1,0 +1,252 @@
+"""The command line: etendue render, etendue inspect."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import sys
+import warnings
+from typing import Annotated, Any
+
+import typer
+from rich.console import Console
+
+import etendue
+from etendue import _core
+from etendue.image import Image
+from etendue.inspection_table import inspection_table
+from etendue.progress import duration, progress_display
+from etendue.settings import AOVS, DEFAULT_SAMPLES, FILTERS, INTEGRATORS, RenderOptions
+
+app = typer.Typer(
+    name="etendue",
+    help="A bidirectional path tracer for USD.",
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+)
+
+INTERRUPTED = 130  # 128 + SIGINT, as shells have it
+
+StageArgument = Annotated[str, typer.Argument(metavar="STAGE", help="A USD file.")]
+FrameOption = Annotated[
+    float | None, typer.Option("--frame", help="Time code to read; default: the stage's start.")
+]
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """The console script. Ends the process with 0, 1 (error), 2 (usage) or 130 (interrupted)."""
+    sys.exit(run(sys.argv[1:] if arguments is None else arguments))
+
+
+def run(arguments: list[str]) -> int:
+    """The exit status. Errors are one line on stderr, without a traceback unless --debug."""
+    try:
+        status = app(args=arguments, prog_name="etendue", standalone_mode=False)
+    except etendue.Error as error:
+        return _fail(error, str(error), 1)
+    except (KeyboardInterrupt, typer.Abort):
+        print("etendue: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # Whoever read our output has had enough; nothing is left to be flushed at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except Exception as error:
+        # Usage errors know how to say what is wrong.
+        message = getattr(error, "format_message", None)
+        if message is not None:
+            return _fail(error, f"{message()} (see etendue --help)", 2)
+        return _fail(error, f"{type(error).__name__}: {error}", 1)
+    return status if isinstance(status, int) else 0
+
+
+def _fail(error: Exception, message: str, status: int) -> int:
+    if _Debug.on:
+        raise error
+    print(f"etendue: error: {' '.join(message.split())}", file=sys.stderr)
+    return status
+
+
+class _Debug:
+    on = False
+
+
+def _show_version(wanted: bool) -> None:
+    if wanted:
+        print(f"etendue {etendue.__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def common(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_show_version, is_eager=True, help="Say which.")
+    ] = False,
+    debug: Annotated[
+        bool, typer.Option("--debug", help="Tracebacks instead of one-line errors.")
+    ] = False,
+) -> None:
+    """A bidirectional path tracer for USD."""
+    del version
+    _Debug.on = debug
+
+
+@app.command()
+def render(
+    stage: StageArgument,
+    output: Annotated[
+        str,
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="OUT",
+            help=".exr: all AOVs, scene-linear. .png, .tif, .jpg: through the display and view.",
+        ),
+    ],
+    camera: Annotated[
+        str | None, typer.Option(help="Prim path or name; default: the render settings', or first.")
+    ] = None,
+    frame: FrameOption = None,
+    resolution: Annotated[
+        str | None, typer.Option(metavar="WxH", help="Default: the render settings', or 960 wide.")
+    ] = None,
+    crop: Annotated[
+        str | None, typer.Option(metavar="X0,Y0,X1,Y1", help="Pixels of the image, row 0 on top.")
+    ] = None,
+    spp: Annotated[
+        int | None,
+        typer.Option(
+            help=f"Samples per pixel; default {DEFAULT_SAMPLES}, or no limit with --time."
+        ),
+    ] = None,
+    time: Annotated[
+        float | None, typer.Option(help="Seconds; whichever limit comes first ends the render.")
+    ] = None,
+    integrator: Annotated[str, typer.Option(help="|".join(INTEGRATORS))] = "bdpt",
+    max_depth: Annotated[int, typer.Option(help="Bounces; 0 shows emission only.")] = 16,
+    seed: Annotated[int, typer.Option(help="The same seed gives the same image.")] = 0,
+    threads: Annotated[int, typer.Option(help="0: all.")] = 0,
+    light_paths: Annotated[
+        float, typer.Option(help="Light subpaths per pixel and pass (bdpt, light).")
+    ] = 1.0,
+    pixel_filter: Annotated[str, typer.Option("--filter", help="|".join(FILTERS))] = "box",
+    ocio: Annotated[
+        str, typer.Option(metavar="FILE", help="OpenColorIO config; default: $OCIO, else our own.")
+    ] = "",
+    display: Annotated[str, typer.Option(help="OpenColorIO display; default: the config's.")] = "",
+    view: Annotated[str, typer.Option(help="OpenColorIO view; default: the display's.")] = "",
+    bits: Annotated[int, typer.Option(help="8 or 16, for display images.")] = 8,
+    aov: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME", help=f"Besides color and alpha; repeatable: {'|'.join(AOVS)}"),
+    ] = None,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
+) -> int:
+    """Render a stage to a file. Ctrl-C writes what has been rendered so far."""
+    # Whatever can be refused is refused before the work.
+    kind = _core.image_file_kind(output)
+    _core.check_writable(output)
+    if kind == _core.ImageFileKind.Display:
+        _check_display(ocio, display, view, bits)
+    options = RenderOptions(
+        resolution=_numbers("resolution", resolution, "x", 2),
+        crop=_numbers("crop", crop, ",", 4),
+        spp=spp,
+        time=time,
+        integrator=integrator,
+        max_depth=max_depth,
+        seed=seed,
+        threads=threads,
+        light_paths=light_paths,
+        filter=pixel_filter,
+        aovs=["alpha", *(aov or [])],
+    )
+    scene = _open(stage, frame)
+    console = Console(file=sys.stderr, highlight=False)
+    interrupted = False
+    try:
+        image = _render(scene, camera, options, console, quiet)
+    except etendue.Interrupted as interruption:
+        interrupted = True
+        image = interruption.image
+    image.save(output, display=display, view=view, ocio=ocio, bits=bits)
+    statistics = image.statistics
+    told = "interrupted, wrote" if interrupted else "wrote"
+    if interrupted or not quiet:
+        _say(
+            f"{told} {output}: {image.width}x{image.height}, {statistics.passes} spp, "
+            f"{duration(statistics.seconds)}"
+        )
+    refused = sum(statistics.invalid.values())
+    if refused:
+        counts = ", ".join(f"{count} {name}" for name, count in statistics.invalid.items())
+        _say(f"etendue: warning: {refused} contributions were refused ({counts})")
+    return INTERRUPTED if interrupted else 0
+
+
+@app.command()
+def inspect(
+    stage: StageArgument,
+    frame: FrameOption = None,
+    as_json: Annotated[bool, typer.Option("--json", help="For programs.")] = False,
+) -> None:
+    """Tell what a stage holds and what a render of it needs."""
+    inspection = _open(stage, frame, quiet=True).inspect()
+    if as_json:
+        print(json.dumps(inspection.to_dict(), indent=2))
+    else:
+        Console().print(inspection_table(inspection))
+
+
+def _open(stage: str, frame: float | None, *, quiet: bool = False) -> etendue.Stage:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", etendue.EtendueWarning)
+        opened = etendue.open(stage, frame=frame)
+    if not quiet:
+        for warning in opened.warnings:
+            _say(f"etendue: warning: {warning}")
+    return opened
+
+
+def _render(
+    stage: etendue.Stage,
+    camera: str | None,
+    options: RenderOptions,
+    console: Console,
+    quiet: bool,
+) -> Image:
+    session = stage.session(camera, **options)
+    if quiet:
+        return session.run()
+    with progress_display(console, session.pixels) as show:
+        return session.run(show)
+
+
+def _check_display(ocio: str, display: str, view: str, bits: int) -> None:
+    """Raises what saving would raise, before the render."""
+    if bits not in (8, 16):
+        raise typer.BadParameter("--bits is 8 or 16")
+    import numpy as np
+
+    _core.ColorConfig(ocio).apply(np.zeros((1, 3), np.float32), display, view)
+
+
+def _numbers(option: str, text: str | None, separator: str, count: int) -> Any:
+    """'640x480' to (640, 480); None for None."""
+    if text is None:
+        return None
+    parts = re.split(separator, text.strip().lower())
+    if len(parts) != count or not all(re.fullmatch(r"\s*-?\d+\s*", part) for part in parts):
+        form = "WIDTHxHEIGHT" if count == 2 else "X0,Y0,X1,Y1"
+        raise typer.BadParameter(f"--{option} wants {form}, not '{text}'")
+    return tuple(int(part) for part in parts)
+
+
+def _say(line: str) -> None:
+    print(line, file=sys.stderr)
+
+
+if __name__ == "__main__":
+    main()

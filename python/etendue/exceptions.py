@@ -1,0 +1,24 @@
+"""What Etendue raises and warns with, besides the errors of the core."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from etendue._core import Error, FileError, SceneError, SettingsError
+
+if TYPE_CHECKING:
+    from etendue.image import Image
+
+__all__ = ["Error", "EtendueWarning", "FileError", "Interrupted", "SceneError", "SettingsError"]
+
+
+class EtendueWarning(UserWarning):
+    """Something in a stage is not supported or not usable, and was left out or replaced."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C during a render. `image` holds what had been rendered by then."""
+
+    def __init__(self, image: Image) -> None:
+        super().__init__("the render was interrupted")
+        self.image = image

@@ -1,0 +1,111 @@
+"""Progress of a render on the terminal: a bar, or plain lines where there is none."""
+
+from __future__ import annotations
+
+import time
+from types import TracebackType
+from typing import Protocol
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn
+
+from etendue import _core
+
+# Seconds between lines when the output is no terminal.
+_LINE_INTERVAL = 5.0
+
+
+class ProgressDisplay(Protocol):
+    """A context manager that is called while the render runs and once at its end."""
+
+    def __enter__(self) -> ProgressDisplay: ...
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None: ...
+    def __call__(self, progress: _core.RenderProgress) -> None: ...
+
+
+def progress_display(console: Console, pixels: int) -> ProgressDisplay:
+    """What suits the console; `pixels` is the number of pixels a pass renders."""
+    return _Bar(console, pixels) if console.is_terminal else _Lines(console, pixels)
+
+
+def describe(progress: _core.RenderProgress, pixels: int) -> str:
+    """Samples, rate and time left, on one line."""
+    total = f"/{progress.passes_total}" if progress.passes_total else ""
+    parts = [f"{progress.passes_done}{total} spp"]
+    if progress.seconds > 0 and progress.passes_done:
+        rate = progress.passes_done * pixels / progress.seconds
+        parts.append(f"{rate / 1e6:.2f} Mpaths/s")
+    if progress.finished:
+        parts.append(f"done in {duration(progress.seconds)}")
+    elif progress.fraction > 0:
+        left = progress.seconds * (1 - progress.fraction) / progress.fraction
+        parts.append(f"{duration(left)} left")
+    return ", ".join(parts)
+
+
+def duration(seconds: float) -> str:
+    """1:02:03, 2:03 or 3.4 s."""
+    if seconds < 60:
+        return f"{seconds:.1f} s"
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
+
+
+class _Bar:
+    def __init__(self, console: Console, pixels: int) -> None:
+        self._pixels = pixels
+        self._bar = Progress(
+            TextColumn("rendering"), BarColumn(), TextColumn("{task.description}"), console=console
+        )
+        self._task = self._bar.add_task("", total=1.0)
+
+    def __enter__(self) -> _Bar:
+        self._bar.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self._bar.stop()
+
+    def __call__(self, progress: _core.RenderProgress) -> None:
+        self._bar.update(
+            self._task,
+            completed=progress.fraction,
+            description=describe(progress, self._pixels),
+        )
+
+
+class _Lines:
+    def __init__(self, console: Console, pixels: int) -> None:
+        self._console = console
+        self._pixels = pixels
+        self._next = time.monotonic()
+
+    def __enter__(self) -> _Lines:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        pass
+
+    def __call__(self, progress: _core.RenderProgress) -> None:
+        now = time.monotonic()
+        if now < self._next and not progress.finished:
+            return
+        self._next = now + _LINE_INTERVAL
+        line = f"rendering: {describe(progress, self._pixels)}"
+        self._console.print(line, markup=False, highlight=False, soft_wrap=True)

@@ -1,0 +1,216 @@
+"""Render options as people write them, to the core's RenderSettings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TypedDict, TypeVar
+
+from etendue import _core
+from etendue.usd_reader import StageContents
+
+DEFAULT_SAMPLES = 64
+DEFAULT_WIDTH = 960
+
+INTEGRATORS = {
+    "path": _core.IntegratorKind.Path,
+    "light": _core.IntegratorKind.Light,
+    "bdpt": _core.IntegratorKind.Bdpt,
+}
+HEURISTICS = {"balance": _core.MisHeuristic.Balance, "power": _core.MisHeuristic.Power}
+FILTERS = {
+    "box": (_core.FilterKind.Box, 0.5),
+    "triangle": (_core.FilterKind.Triangle, 1.0),
+    "gaussian": (_core.FilterKind.Gaussian, 1.5),
+}
+AOVS = {_core.aov_name(aov): aov for aov in _core.Aov.__members__.values()}
+STRATEGIES = ("emission_hit", "direct_light", "connection", "light_image", "lens_hit")
+ADJOINT = ("refraction", "shading_normal")
+
+_T = TypeVar("_T")
+
+
+class RenderOptions(TypedDict, total=False):
+    """Keywords of Stage.render() and Stage.session().
+
+    resolution: (width, height) in pixels; default: the stage's RenderSettings, else 960 wide with
+        the camera's aspect.
+    crop: (x0, y0, x1, y1), pixels [x0, x1) x [y0, y1) of the full image, row 0 on top.
+    spp: samples per pixel; default 64, or no limit when `time` is given. 0: no limit.
+    time: seconds; the render ends at whichever limit comes first.
+    integrator: "path", "light" or "bdpt" (default).
+    max_depth: bounces; 0 shows emission only. Default 16.
+    seed: the same seed gives the same image, whatever the number of threads.
+    threads: 0 (default) means all.
+    aovs: names of AOVS; default color and alpha. Color is always there.
+    filter: "box" (default), "triangle" or "gaussian"; filter_radius in pixels.
+    heuristic: "power" (default) or "balance", for the weights of bdpt.
+    strategies: the names of STRATEGIES that take part; default all.
+    light_paths: light subpaths per pixel and pass. Default 1.
+    roulette_depth: bounces before Russian roulette; negative: never.
+    adjoint: the names of ADJOINT corrections that are made; default both. Leaving one out is
+        wrong on purpose, for validation.
+    """
+
+    resolution: tuple[int, int] | None
+    crop: tuple[int, int, int, int] | None
+    spp: int | None
+    time: float | None
+    integrator: str
+    max_depth: int
+    seed: int
+    threads: int
+    aovs: Iterable[str]
+    filter: str
+    filter_radius: float | None
+    heuristic: str
+    strategies: Iterable[str] | None
+    light_paths: float
+    roulette_depth: int
+    adjoint: Iterable[str] | None
+
+
+def render_settings(
+    contents: StageContents, camera: str | None, options: RenderOptions
+) -> _core.RenderSettings:
+    """The stage's settings with the options over them. Raises SettingsError and SceneError."""
+    settings = _core.RenderSettings()
+    settings.camera = _camera_index(contents, camera)
+    settings.width, settings.height = _resolution(contents, settings.camera, options)
+    settings.conform = contents.settings.conform
+    settings.crop = _crop(contents, settings.width, settings.height, options.get("crop"))
+
+    settings.integrator = _choice("integrator", options.get("integrator", "bdpt"), INTEGRATORS)
+    time = options.get("time")
+    samples = options.get("spp")
+    if samples is None:
+        samples = 0 if time else DEFAULT_SAMPLES
+    settings.samples_per_pixel = _at_least("spp", samples, 0)
+    settings.time_limit = _seconds(time)
+    if not settings.samples_per_pixel and not settings.time_limit:
+        raise _core.SettingsError("spp and time are both unlimited: the render would never end")
+    settings.max_depth = _at_least("max_depth", options.get("max_depth", settings.max_depth), 0)
+    settings.seed = _at_least("seed", options.get("seed", 0), 0)
+    settings.threads = _at_least("threads", options.get("threads", 0), 0)
+    settings.heuristic = _choice("heuristic", options.get("heuristic", "power"), HEURISTICS)
+    settings.filter = _filter(options)
+    settings.light_paths_per_pixel = options.get("light_paths", settings.light_paths_per_pixel)
+    settings.roulette_depth = options.get("roulette_depth", settings.roulette_depth)
+    settings.strategies = _core.StrategySet(
+        **_switches("strategy", options.get("strategies"), STRATEGIES)
+    )
+    settings.adjoint = _core.AdjointPolicy(
+        **_switches("adjoint correction", options.get("adjoint"), ADJOINT)
+    )
+    names = ["color", *options.get("aovs", ("alpha",))]
+    settings.aovs = [_choice("aov", name, AOVS) for name in dict.fromkeys(names)]
+    return settings
+
+
+def _camera_index(contents: StageContents, camera: str | None) -> int:
+    """By prim path, or by prim name when only one camera has it."""
+    cameras = contents.cameras
+    known = ", ".join(cameras.perspective) or "none"
+    wanted = camera or contents.settings.camera
+    if wanted is None:
+        if cameras.perspective:
+            return 0
+        if cameras.orthographic:
+            raise _core.SceneError(
+                f"{contents.source}: the stage has orthographic cameras only, which are not "
+                f"supported: {', '.join(cameras.orthographic)}"
+            )
+        raise _core.SceneError(f"{contents.source}: the stage has no camera")
+    if wanted in cameras.perspective:
+        return cameras.perspective.index(wanted)
+    if wanted in cameras.orthographic:
+        raise _core.SceneError(
+            f"{contents.source}: camera {wanted} is orthographic, which is not supported; "
+            f"perspective cameras: {known}"
+        )
+    named = [path for path in cameras.perspective if path.rsplit("/", 1)[-1] == wanted]
+    if len(named) == 1:
+        return cameras.perspective.index(named[0])
+    raise _core.SettingsError(
+        f"{contents.source}: '{wanted}' is not a camera of the stage; cameras: {known}"
+    )
+
+
+def _resolution(contents: StageContents, camera: int, options: RenderOptions) -> tuple[int, int]:
+    given = options.get("resolution")
+    if given is not None:
+        width, height = (_at_least("resolution", pixels, 1) for pixels in given)
+        return width, height
+    if contents.settings.resolution is not None:
+        return contents.settings.resolution
+    desc = contents.scene.cameras[camera]
+    if desc.horizontal_aperture <= 0 or desc.vertical_aperture <= 0:
+        return DEFAULT_WIDTH, DEFAULT_WIDTH
+    aspect = desc.horizontal_aperture / desc.vertical_aperture
+    return DEFAULT_WIDTH, max(1, round(DEFAULT_WIDTH / aspect))
+
+
+def _crop(
+    contents: StageContents,
+    width: int,
+    height: int,
+    crop: Sequence[int] | None,
+) -> _core.PixelWindow | None:
+    if crop is not None:
+        x0, y0, x1, y1 = crop
+        if not (0 <= x0 < x1 <= width and 0 <= y0 < y1 <= height):
+            raise _core.SettingsError(
+                f"crop {x0},{y0},{x1},{y1} is empty or outside of the image of {width}x{height}"
+            )
+        return _core.PixelWindow(x0=x0, y0=y0, x1=x1, y1=y1)
+    left, bottom, right, top = contents.settings.data_window
+    if (left, bottom, right, top) == (0.0, 0.0, 1.0, 1.0):
+        return None
+    # dataWindowNDC counts from the bottom; a pixel is in when its centre is.
+    window = _core.PixelWindow(
+        x0=_first_centre(left, width),
+        y0=_first_centre(1 - top, height),
+        x1=_first_centre(right, width),
+        y1=_first_centre(1 - bottom, height),
+    )
+    if window.x0 >= window.x1 or window.y0 >= window.y1:
+        raise _core.SettingsError(f"{contents.settings.path}: dataWindowNDC holds no pixel")
+    return window
+
+
+def _first_centre(edge: float, pixels: int) -> int:
+    """The first pixel whose centre is not before `edge` (0..1), within the image."""
+    return min(max(math.ceil(edge * pixels - 0.5), 0), pixels)
+
+
+def _filter(options: RenderOptions) -> _core.PixelFilter:
+    kind, default_radius = _choice("filter", options.get("filter", "box"), FILTERS)
+    radius = options.get("filter_radius")
+    return _core.PixelFilter(kind=kind, radius=default_radius if radius is None else radius)
+
+
+def _choice(what: str, name: str, choices: Mapping[str, _T]) -> _T:
+    if name not in choices:
+        raise _core.SettingsError(f"unknown {what} '{name}'; there are: {', '.join(choices)}")
+    return choices[name]
+
+
+def _switches(what: str, names: Iterable[str] | None, known: Sequence[str]) -> dict[str, bool]:
+    on = set(known if names is None else names)
+    for name in on - set(known):
+        raise _core.SettingsError(f"unknown {what} '{name}'; there are: {', '.join(known)}")
+    return {name: name in on for name in known}
+
+
+def _at_least(what: str, value: int, minimum: int) -> int:
+    if value < minimum:
+        raise _core.SettingsError(f"{what} is {value}; it must be {minimum} or more")
+    return value
+
+
+def _seconds(time: float | None) -> float:
+    if time is None:
+        return 0.0
+    if not time > 0 or not math.isfinite(time):
+        raise _core.SettingsError(f"time is {time}; it must be a positive number of seconds")
+    return time

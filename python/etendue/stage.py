@@ -1,0 +1,126 @@
+"""A stage, ready to be rendered."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Unpack
+
+from etendue import _core
+from etendue.exceptions import EtendueWarning
+from etendue.image import Image
+from etendue.inspection import Inspection, inspect_contents
+from etendue.session import Progress, Session
+from etendue.settings import INTEGRATORS, RenderOptions, render_settings
+from etendue.usd_reader import StageContents, StageLike, StageWarning, read_stage
+
+
+class Stage:
+    """What etendue.open() returns: a USD stage read at one frame."""
+
+    def __init__(self, contents: StageContents) -> None:
+        self._contents = contents
+
+    def __repr__(self) -> str:
+        return f"<etendue.Stage {self.source} at frame {self.frame:g}>"
+
+    @property
+    def source(self) -> str:
+        """The file, or the root layer's identifier."""
+        return self._contents.source
+
+    @property
+    def frame(self) -> float:
+        """The time code that was read."""
+        return self._contents.frame
+
+    @property
+    def cameras(self) -> tuple[str, ...]:
+        """Prim paths of the cameras that can be rendered from."""
+        return self._contents.cameras.perspective
+
+    @property
+    def warnings(self) -> tuple[StageWarning, ...]:
+        """What was left out or replaced, one entry per kind."""
+        return self._contents.warnings
+
+    @property
+    def scene(self) -> _core.SceneDescription:
+        """The scene as the core gets it. Its lists are copies."""
+        return self._contents.scene
+
+    def inspect(self) -> Inspection:
+        """What the stage holds and what a render of it needs."""
+        return inspect_contents(self._contents)
+
+    def session(
+        self,
+        camera: str | None = None,
+        *,
+        progress: Progress | None = None,
+        **options: Unpack[RenderOptions],
+    ) -> Session:
+        """A progressive render, not started yet. Arguments and errors: see render()."""
+        settings = render_settings(self._contents, camera, options)
+        self._require_light()
+        metadata = {
+            "Software": f"Etendue {_core.__version__}",
+            "etendue:version": _core.__version__,
+            "etendue:stage": self.source,
+            "etendue:frame": f"{self.frame:g}",
+            "etendue:camera": self.cameras[settings.camera],
+            "etendue:integrator": next(
+                name for name, kind in INTEGRATORS.items() if kind == settings.integrator
+            ),
+            "etendue:seed": str(settings.seed),
+        }
+        return Session(self._contents.scene, settings, metadata, progress)
+
+    def render(
+        self,
+        camera: str | None = None,
+        *,
+        progress: Progress | None = None,
+        **options: Unpack[RenderOptions],
+    ) -> Image:
+        """Renders and returns the image; `options` are those of RenderOptions.
+
+        `camera` is a prim path, or a prim name that only one camera has; default: that of the
+        stage's RenderSettings, else the stage's first. `progress` is called with RenderProgress
+        from a render thread.
+
+        Raises SceneError (no camera, no light, unusable scene), SettingsError, FileError (a
+        texture), and on Ctrl-C Interrupted, which carries what had been rendered.
+        """
+        return self.session(camera, progress=progress, **options).run()
+
+    def _require_light(self) -> None:
+        scene = self._contents.scene
+        lit = any(light.intensity > 0 and any(light.color) for light in scene.lights)
+        if not lit and not _emitting_shapes(scene):
+            raise _core.SceneError(
+                f"{self.source}: the stage has no light and no emitting surface; "
+                "its picture would be black"
+            )
+
+
+def open_stage(path_or_stage: StageLike, *, frame: float | None = None) -> Stage:
+    """Reads a USD stage (a file, or a Usd.Stage) at a frame; default: its startTimeCode.
+
+    Everything that is not supported is warned about once per kind, as EtendueWarning and in
+    Stage.warnings, and the rest is rendered. Raises FileError naming the file when it does not
+    exist or is not a stage.
+    """
+    stage = Stage(read_stage(path_or_stage, frame))
+    for warning in stage.warnings:
+        warnings.warn(str(warning), EtendueWarning, stacklevel=2)
+    return stage
+
+
+def _emitting_shapes(scene: _core.SceneDescription) -> bool:
+    emitting = {
+        index
+        for index, material in enumerate(scene.materials)
+        if material.emission.texture >= 0 or any(value > 0 for value in material.emission.value)
+    }
+    shapes = [*scene.shapes, *(shape for group in scene.groups for shape in group.shapes)]
+    return any(emitting.intersection(shape.materials) for shape in shapes)

@@ -1,0 +1,62 @@
+"""OpenPBR surface to OpenPbrMaterial."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from etendue import _core
+from etendue.usd_reader.context import ReadContext
+from etendue.usd_reader.shader_inputs import ShaderInputs
+
+NODE_IDS = ("ND_open_pbr_surface_surfaceshader",)
+
+# The inputs that switch on what is not rendered, with the defaults that leave it off. The other
+# inputs of these layers have no effect by themselves.
+_UNSUPPORTED: dict[str, float | Sequence[float]] = {
+    "base_diffuse_roughness": 0.0,
+    "specular_roughness_anisotropy": 0.0,
+    "transmission_depth": 0.0,
+    "transmission_scatter": (0.0, 0.0, 0.0),
+    "transmission_dispersion_scale": 0.0,
+    "subsurface_weight": 0.0,
+    "fuzz_weight": 0.0,
+    "coat_weight": 0.0,
+    "thin_film_weight": 0.0,
+    "geometry_thin_walled": 0.0,
+}
+_CONSEQUENCES = {
+    "transmission_depth": "transmission_color tints the surface instead of the volume",
+    "geometry_thin_walled": "the surface is the boundary of a solid",
+}
+
+
+def read_open_pbr(context: ReadContext, inputs: ShaderInputs) -> _core.MaterialDesc:
+    """The dielectric, metal and diffuse parts; other layers are left out, each with a warning."""
+    model = _core.OpenPbrMaterial()
+    model.base_weight = inputs.number("base_weight", model.base_weight)
+    model.base_color = inputs.color("base_color", model.base_color)
+    model.base_metalness = inputs.number("base_metalness", model.base_metalness)
+    model.specular_weight = inputs.number("specular_weight", model.specular_weight)
+    model.specular_color = inputs.color("specular_color", model.specular_color)
+    model.specular_roughness = inputs.number("specular_roughness", model.specular_roughness)
+    model.specular_ior = float(inputs.constant("specular_ior", model.specular_ior))
+    model.transmission_weight = inputs.number("transmission_weight", model.transmission_weight)
+    model.transmission_color = inputs.color("transmission_color", model.transmission_color)
+    model.geometry_opacity = inputs.number("geometry_opacity", model.geometry_opacity)
+
+    for name, default in _UNSUPPORTED.items():
+        if inputs.is_authored(name, default):
+            consequence = _CONSEQUENCES.get(name, "rendered without it")
+            context.report.warn(
+                f"open_pbr_surface {name}",
+                inputs.shader.GetPath(),
+                f"open_pbr_surface input '{name}' is not supported; {consequence}",
+            )
+    luminance = float(inputs.constant("emission_luminance", 0.0))
+    emission = _core.ColorInput()
+    if luminance != 0.0:
+        white = _core.ColorInput(value=(1.0, 1.0, 1.0))
+        emission = inputs.color("emission_color", white, luminance)
+    return _core.MaterialDesc(
+        model=model, emission=emission, normal_texture=inputs.normal_texture("geometry_normal")
+    )
