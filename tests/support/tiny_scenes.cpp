@@ -1,0 +1,178 @@
+#include "support/tiny_scenes.h"
+
+#include "support/scene_builder.h"
+
+namespace etendue::test {
+namespace {
+
+/// Box, camera and a lamp of the given size under the ceiling.
+SceneBuilder lit_box(double lamp_size) {
+    SceneBuilder b;
+    b.open_box(b.diffuse(0.6));
+    b.rect_light({0.1, 0.95, 0}, {0, -1, 0}, lamp_size, lamp_size, 4);
+    b.camera({0.1, 0.1, 3.8}, {0, 0, 0}, 36);
+    return b;
+}
+
+DielectricMaterial glass(double roughness) {
+    DielectricMaterial m;
+    m.roughness.value = roughness;
+    return m;
+}
+
+}  // namespace
+
+SceneDescription diffuse_box() {
+    SceneBuilder b = lit_box(0.6);
+    b.shape(CubeDesc{0.8}, b.diffuse(0.8), translation({-0.3, -0.6, -0.2}));
+    return b.scene();
+}
+
+SceneDescription indirect_box() {
+    SceneBuilder b;
+    b.open_box(b.diffuse(0.6));
+    b.rect_light({0, 0.3, 0}, {0.1, 1, 0}, 0.5, 0.5, 4);
+    b.camera({0.1, 0.1, 3.8}, {0, 0, 0}, 36);
+    return b.scene();
+}
+
+SceneDescription glossy_box() {
+    SceneBuilder b = lit_box(0.7);
+    ConductorMaterial metal;
+    metal.roughness.value = 0.45;
+    b.sphere({-0.45, -0.55, 0}, 0.45, b.material(metal));
+    PreviewSurfaceMaterial plastic;
+    plastic.diffuse_color.value = {0.2, 0.5, 0.7};
+    plastic.roughness.value = 0.4;
+    b.sphere({0.5, -0.5, 0.1}, 0.5, b.material(plastic));
+    return b.scene();
+}
+
+SceneDescription glass_box() {
+    SceneBuilder b = lit_box(1.2);
+    b.sphere({0, -0.3, 0}, 0.55, b.material(glass(0)));
+    return b.scene();
+}
+
+SceneDescription rough_glass_box() {
+    SceneBuilder b = lit_box(1.0);
+    b.sphere({0, -0.3, 0}, 0.55, b.material(glass(0.5)));
+    return b.scene();
+}
+
+SceneDescription mirror_box() {
+    SceneBuilder b = lit_box(1.2);
+    b.sphere({0, -0.3, 0}, 0.55, b.material(ConductorMaterial{}));
+    return b.scene();
+}
+
+SceneDescription smooth_normals_box() {
+    SceneBuilder b = lit_box(0.6);
+    Matrix4 half = translation({0, -0.3, 0});
+    half.m[0] = half.m[5] = half.m[10] = 0.65;
+    b.shape(low_polygon_sphere(8, 5, true), b.diffuse(0.8), half);
+    return b.scene();
+}
+
+SceneDescription sky() {
+    SceneBuilder b;
+    b.quad({-3, 0, 3}, {6, 0, 0}, {0, 0, -6}, b.diffuse(0.5));
+    b.sphere({0, 0.6, 0}, 0.6, b.material(glass(0)));
+    LightDesc dome;
+    dome.kind = LightKind::Dome;
+    dome.intensity = 0.5;
+    dome.color = {0.6, 0.8, 1};
+    b.light(dome);
+    LightDesc sun;
+    sun.kind = LightKind::Distant;
+    sun.angle = 30;
+    sun.intensity = 3;
+    sun.normalize = true;
+    sun.world_from_light = look_at({2, 3, 1}, {0, 0, 0});
+    b.light(sun);
+    b.camera({0, 2, 5}, {0, 0.4, 0}, 40);
+    return b.scene();
+}
+
+SceneDescription many_lights() {
+    SceneBuilder b;
+    b.open_box(b.diffuse(0.5));
+    b.rect_light({-0.5, 0.9, 0}, {0, -1, 0}, 0.3, 0.4, 1);
+    LightDesc disk;
+    disk.kind = LightKind::Disk;
+    disk.radius = 0.25;
+    disk.intensity = 3;
+    disk.world_from_light = look_at({0.9, 0, 0}, {0, 0, 0});
+    b.light(disk);
+    LightDesc ball;
+    ball.kind = LightKind::Sphere;
+    ball.radius = 0.15;
+    ball.intensity = 4;
+    ball.world_from_light = translation({0.3, -0.4, 0.3});
+    b.light(ball);
+    LightDesc egg = ball;
+    egg.name = "/egg";
+    egg.world_from_light = translation({-0.5, -0.3, 0.2});
+    egg.world_from_light.m[5] = 2;
+    b.light(egg);
+    Matrix4 small = translation({0.2, 0.5, -0.3});
+    small.m[0] = small.m[5] = small.m[10] = 0.15;
+    const int glow = b.material(DiffuseMaterial{}, {2, 1, 0.5});
+    b.shape(low_polygon_sphere(6, 4, false), glow, small);
+    b.camera({0.1, 0.1, 3.8}, {0, 0, 0}, 36);
+    return b.scene();
+}
+
+SceneDescription delta_lights() {
+    SceneBuilder b;
+    b.open_box(b.diffuse(0.6));
+    b.light(point_light({0.2, 0.5, 0.2}, 8));
+    LightDesc sun;
+    sun.kind = LightKind::Distant;
+    sun.angle = 0;
+    sun.intensity = 2;
+    sun.world_from_light = look_at({0.3, 0.5, 3}, {0, 0, 0});
+    b.light(sun);
+    b.sphere({-0.4, -0.5, 0}, 0.5, b.diffuse(0.8));
+    b.camera({0.1, 0.1, 3.8}, {0, 0, 0}, 36);
+    return b.scene();
+}
+
+SceneDescription lens_box() {
+    SceneBuilder b = lit_box(0.6);
+    b.sphere({0.4, -0.5, 0.3}, 0.4, b.material(ConductorMaterial{}));
+    b.lens(0.4, 3);
+    return b.scene();
+}
+
+SceneDescription instanced_box() {
+    SceneBuilder b = lit_box(0.6);
+    SceneDescription& scene = b.scene();
+    const int grey = b.diffuse(0.7);
+    const int glow = b.material(DiffuseMaterial{}, {3, 2, 1});
+    const int frosted = b.material(glass(0.5));
+    GroupDesc group;
+    group.name = "/group";
+    const auto add = [&](const GeometryDesc& geometry, int material, const Vec3& where, double size) {
+        ShapeDesc shape;
+        shape.name = "/group/shape_" + std::to_string(group.shapes.size());
+        shape.geometry = static_cast<int>(scene.geometries.size());
+        shape.materials = {material};
+        shape.parent_from_object = translation(where);
+        for (std::size_t i : {0U, 5U, 10U}) shape.parent_from_object.m[i] = size;
+        scene.geometries.push_back(geometry);
+        group.shapes.push_back(shape);
+    };
+    add(CubeDesc{1}, grey, {0, 0, 0}, 0.6);
+    add(low_polygon_sphere(6, 4, false), glow, {0.1, 0.5, 0}, 0.15);
+    add(SphereDesc{1}, frosted, {0.6, 0, 0.1}, 0.3);
+    scene.groups.push_back(group);
+    InstanceDesc first{"/first", 0, translation({-0.6, -0.6, 0})};
+    InstanceDesc mirrored{"/mirrored", 0, translation({0.55, -0.2, -0.2})};
+    mirrored.world_from_group.m[0] = -0.8;
+    mirrored.world_from_group.m[5] = 1.2;
+    scene.instances = {first, mirrored};
+    return b.scene();
+}
+
+}  // namespace etendue::test

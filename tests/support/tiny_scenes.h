@@ -1,0 +1,22 @@
+#pragma once
+
+#include <etendue/scene_description.h>
+
+namespace etendue::test {
+
+/// Small scenes that exercise one kind of transport each; all but the pool have area lights that paths can find by
+/// chance, so that camera strategies alone see everything.
+[[nodiscard]] SceneDescription diffuse_box();         ///< lamp under the ceiling, a block
+[[nodiscard]] SceneDescription indirect_box();        ///< lamp turned to the ceiling
+[[nodiscard]] SceneDescription glossy_box();          ///< rough metal, UsdPreviewSurface plastic
+[[nodiscard]] SceneDescription glass_box();           ///< smooth glass sphere, large lamp
+[[nodiscard]] SceneDescription rough_glass_box();     ///< frosted glass sphere
+[[nodiscard]] SceneDescription mirror_box();          ///< mirror sphere
+[[nodiscard]] SceneDescription smooth_normals_box();  ///< low-polygon spheres with smooth normals
+[[nodiscard]] SceneDescription sky();                 ///< dome and a broad sun over a plane with a sphere
+[[nodiscard]] SceneDescription many_lights();         ///< every kind of light that has a size, a glowing mesh too
+[[nodiscard]] SceneDescription delta_lights();        ///< point and delta sun
+[[nodiscard]] SceneDescription lens_box();            ///< wide thin lens before the diffuse box
+[[nodiscard]] SceneDescription instanced_box();       ///< mirrored, scaled instances, some glowing
+
+}  // namespace etendue::test
