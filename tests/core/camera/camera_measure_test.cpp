@@ -119,6 +119,47 @@ TEST_P(CameraMeasure, DirectionDensityIntegratesToOneOverAPixel) {
     }
 }
 
+/// Towards infinity is the limit of a far point: the weight times the squared distance, the place on the film.
+TEST_P(CameraMeasure, TowardsInfinityIsTheLimitOfFarPoints) {
+    Rng rng(7, 0, 0);
+    for (int i = 0; i < 500; ++i) {
+        const Vec2 u_lens = rng.next_2d();
+        const Vec3 w = camera.generate_ray(random_raster(rng), {0.5, 0.5}).direction;
+        const double distance = 1e8;
+        const auto far = camera.sample_lens(camera.position() + w * distance, u_lens);
+        const auto infinite = camera.sample_lens_towards(w, u_lens);
+        ASSERT_TRUE(far && infinite);
+        EXPECT_EQ(infinite->distance, kInfinity);
+        EXPECT_EQ(infinite->origin, far->origin);
+        EXPECT_NEAR(infinite->raster.x, far->raster.x, 1e-5);
+        EXPECT_NEAR(infinite->raster.y, far->raster.y, 1e-5);
+        EXPECT_NEAR(infinite->weight / (far->weight * distance * distance), 1, 1e-6);
+        EXPECT_NEAR(infinite->pdf_dir / far->pdf_dir, 1, 1e-6);
+        EXPECT_EQ(infinite->pdf_lens, far->pdf_lens);
+        EXPECT_FALSE(camera.sample_lens_towards(-w, u_lens));
+    }
+}
+
+/// A sun that covers part of the image: by camera rays that fall into its cone and by joining its directions.
+TEST_P(CameraMeasure, CameraRaysAndDirectionsFromInfinityAgree) {
+    const double one_minus_cos = 0.02;
+    const Frame sun = Frame::from_normal(camera.generate_ray({20, 28}, {0.5, 0.5}).direction);
+    Rng rng(8, 0, 0);
+    Estimate rays;
+    Estimate joined;
+    for (int i = 0; i < test::samples(400'000); ++i) {
+        const CameraRay ray = camera.generate_ray(random_raster(rng), rng.next_2d());
+        const bool in_cone = length_squared(ray.direction - sun.n) < 2 * one_minus_cos;
+        rays.add(in_cone ? ray.weight * kWidth * kHeight : 0);
+        const Vec3 w = sun.to_world(sample_uniform_cone(rng.next_2d(), one_minus_cos));
+        const auto lens = camera.sample_lens_towards(w, rng.next_2d());
+        const bool in_window =
+            lens && lens->raster.x >= 0 && lens->raster.x < kWidth && lens->raster.y >= 0 && lens->raster.y < kHeight;
+        joined.add(in_window ? lens->weight * 2 * kPi * one_minus_cos : 0);
+    }
+    EXPECT_TRUE(test::agree(rays, joined, 0.006));
+}
+
 /// A small disk of unit radiance seen by the camera, measured in units of pixel values summed over the window
 /// [0, kWidth] x [0, kHeight]: by camera rays, by joining its points to the lens, and by light that finds the lens.
 class CameraFlux : public CameraMeasure {
