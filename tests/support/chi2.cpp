@@ -39,8 +39,10 @@ double gauss(const PlaneDensity& f, const Rectangle& r) {
     return sum * half.x * half.y;
 }
 
-std::array<Rectangle, 4> quarters(const Rectangle& r) {
-    const Vec2 mid{(r.low.x + r.high.x) / 2, (r.low.y + r.high.y) / 2};
+/// Not halves: a jump that lies symmetrically between the points of the whole and of its parts would go unseen.
+std::array<Rectangle, 4> parts_of(const Rectangle& r) {
+    constexpr double kCut = 0.437;
+    const Vec2 mid{r.low.x + kCut * (r.high.x - r.low.x), r.low.y + kCut * (r.high.y - r.low.y)};
     return {
         {{r.low, mid}, {{mid.x, r.low.y}, {r.high.x, mid.y}}, {{r.low.x, mid.y}, {mid.x, r.high.y}}, {mid, r.high}}};
 }
@@ -49,7 +51,7 @@ std::array<Rectangle, 4> quarters(const Rectangle& r) {
 double refine(const PlaneDensity& f, const Rectangle& r, double coarse, double tolerance, int depth) {
     constexpr int kForcedDepth = 2;  // lest a peak fall between the first points
     constexpr int kMaxDepth = 12;
-    const std::array<Rectangle, 4> parts = quarters(r);
+    const std::array<Rectangle, 4> parts = parts_of(r);
     std::array<double, 4> values{};
     double fine = 0;
     for (std::size_t i = 0; i < 4; ++i) fine += values[i] = gauss(f, parts[i]);

@@ -171,7 +171,7 @@ Layered::Sample Layered::sample_mirror(const LobeProbabilities& p, const Vec3& w
     BsdfSample sample;
     sample.wi = {-wo.x, -wo.y, wo.z};
     sample.weight = specular_weight(std::abs(wo.z), wo.z > 0) * (p_.presence / p.specular);
-    set_delta_pdfs(sample, wo, p.specular, p.specular, 1, 1);
+    set_delta_pdfs(sample, wo, p.specular, p.specular, eta(wo), eta(wo));
     return sample;
 }
 

@@ -1,0 +1,224 @@
+// Energy: no model reflects and transmits more than it receives, and white ones lose only masked light.
+
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "bsdf/fresnel.h"
+#include "bsdf/specular_albedo.h"
+#include "support/bsdf_cases.h"
+#include "support/estimate.h"
+
+namespace etendue::test {
+namespace {
+
+/// Per channel, the share of the power arriving along wo that leaves again. Particles' weights are that share at once;
+/// radiance is scaled by the squared index on crossing, which radiance_scale divides out.
+std::array<Estimate, 3> albedo(const BsdfModel& model, const Vec3& wo, TransportMode mode, int count,
+                               std::uint64_t seed) {
+    const Bsdf bsdf = flat(model);
+    Rng rng(seed, 0, 0);
+    std::array<Estimate, 3> share;
+    const int n = samples(count);
+    for (int i = 0; i < n; ++i) {
+        const double u_lobe = (i + rng.next_1d()) / n;
+        const auto sample = bsdf.sample(wo, u_lobe, rng.next_2d(), mode, kCorrect);
+        const double scale = sample && mode == TransportMode::Radiance ? sample->radiance_scale : 1;
+        const Rgb weight = sample ? sample->weight / scale : Rgb();
+        share[0].add(weight.r);
+        share[1].add(weight.g);
+        share[2].add(weight.b);
+    }
+    return share;
+}
+
+testing::AssertionResult at_most(const std::array<Estimate, 3>& share, double bound) {
+    for (const Estimate& e : share) {
+        if (e.mean() > bound + kSigmas * e.standard_error() + kRounding) {
+            return testing::AssertionFailure() << e.mean() << " +- " << e.standard_error() << " exceeds " << bound;
+        }
+    }
+    return testing::AssertionSuccess();
+}
+
+testing::AssertionResult at_least(const std::array<Estimate, 3>& share, double bound) {
+    for (const Estimate& e : share) {
+        if (e.mean() < bound - kSigmas * e.standard_error() - kRounding) {
+            return testing::AssertionFailure() << e.mean() << " +- " << e.standard_error() << " is below " << bound;
+        }
+    }
+    return testing::AssertionSuccess();
+}
+
+constexpr double kCosines[]{0.999, 0.8, 0.5, 0.2, 0.05, -0.05, -0.3, -0.6, -0.95};
+
+TEST(BsdfFurnace, NeverGainsEnergy) {
+    for (const BsdfCase& c : bsdf_cases()) {
+        for (double cos : kCosines) {
+            for (TransportMode mode : kModes) {
+                EXPECT_TRUE(at_most(albedo(c.model, direction(cos, 1), mode, 4000, 11), 1))
+                    << c.name << ", wo.z " << cos;
+            }
+        }
+    }
+}
+
+TEST(BsdfFurnace, ParticlesAndRadianceCarryTheSameShare) {
+    for (const BsdfCase& c : bsdf_cases()) {
+        for (double cos : {0.7, -0.7}) {
+            const auto particles = albedo(c.model, direction(cos, 1), TransportMode::Importance, 20000, 12);
+            const auto radiance = albedo(c.model, direction(cos, 1), TransportMode::Radiance, 20000, 13);
+            for (std::size_t i = 0; i < 3; ++i) {
+                EXPECT_TRUE(agree(particles[i], radiance[i], 0.02)) << c.name << ", wo.z " << cos;
+            }
+        }
+    }
+}
+
+/// The mean of delta lobes is a sum of two terms: R + T = 1 to rounding.
+TEST(BsdfFurnace, SmoothInterfacesLoseNothing) {
+    for (const BsdfCase& c : bsdf_cases()) {
+        if (!c.white || flat(c.model).connectible()) continue;
+        for (double cos : kCosines) {
+            for (TransportMode mode : kModes) {
+                const auto share = albedo(c.model, direction(cos, 1), mode, 1000, 14);
+                EXPECT_TRUE(at_least(share, 1 - 1e-12)) << c.name << ", wo.z " << cos;
+                EXPECT_TRUE(at_most(share, 1 + 1e-12)) << c.name << ", wo.z " << cos;
+            }
+        }
+    }
+}
+
+/// Single scattering loses what a facet sends into another one, the more the rougher; glass seen from inside, whose
+/// facets spread directions further, more than metal.
+TEST(BsdfFurnace, RoughWhiteModelsLoseLittle) {
+    const auto least = [](double alpha) { return alpha <= 1e-3 ? 0.985 : alpha <= 0.01 ? 0.95 : 0.84; };
+    for (double cos : {0.999, 0.8, 0.5, 0.2, 0.05}) {
+        const Vec3 wo = direction(cos, 2);
+        for (double alpha : {1e-4, 1e-3, 0.01, 0.04, 0.09, 0.25}) {
+            EXPECT_TRUE(
+                at_least(albedo(Conductor(Rgb(1), alpha), wo, TransportMode::Radiance, 20000, 15), least(alpha)))
+                << "metal, alpha " << alpha << ", cos " << cos;
+            for (double side : {1.0, -1.0}) {
+                const Vec3 w{wo.x, wo.y, side * wo.z};
+                EXPECT_TRUE(at_least(albedo(Dielectric(1.5, alpha), w, TransportMode::Importance, 20000, 16),
+                                     least(alpha) - (alpha > 0.1 ? 0.06 : 0)))
+                    << "glass, alpha " << alpha << ", cos " << w.z;
+            }
+        }
+    }
+}
+
+/// alpha = 1 at normal incidence by hand: D = 1 / pi and G2 = 2 cos_i / (1 + cos_i), so that the albedo is the integral
+/// of c / (1 + c) over [0, 1].
+TEST(BsdfFurnace, RoughestMetalAtNormalIncidence) {
+    const auto share = albedo(Conductor(Rgb(1), 1), {0, 0, 1}, TransportMode::Radiance, 400000, 17);
+    EXPECT_TRUE(agrees(share[0], 1 - std::log(2)));
+}
+
+/// A white base under a clear coat: at most a few percent are lost besides what the coat's own facets mask.
+TEST(BsdfFurnace, WhitePlasticLosesLittle) {
+    for (double alpha : {0.0, 1e-3, 0.04, 0.09, 0.25, 1.0}) {
+        for (double cos : {0.999, 0.8, 0.5, 0.3, 0.1}) {
+            LayeredParameters p;
+            p.alpha = alpha;
+            p.coated = 1;
+            p.coat_f0 = Rgb(0.04);
+            p.coat_f90 = Rgb(1);
+            p.diffuse = Rgb(1);
+            const auto share = albedo(Layered(p), direction(cos, 2), TransportMode::Radiance, 40000, 18);
+            EXPECT_TRUE(at_most(share, 1)) << "alpha " << alpha << ", cos " << cos;
+            EXPECT_TRUE(at_least(share, cos > 0.25 ? 0.985 : 0.96)) << "alpha " << alpha << ", cos " << cos;
+        }
+    }
+}
+
+/// The bound holds for every parameter: random closures, white wherever that is worst.
+TEST(BsdfFurnace, RandomClosuresNeverGainEnergy) {
+    Rng rng(19, 0, 0);
+    for (int i = 0; i < 400; ++i) {
+        LayeredParameters p;
+        const double roughness = rng.next_1d();
+        p.alpha = roughness * roughness;
+        double parts[4];
+        double sum = 0;
+        for (double& part : parts) sum += part = rng.next_1d() < 0.4 ? 0 : rng.next_1d();
+        if (sum == 0) continue;
+        p.presence = rng.next_1d() < 0.7 ? 1 : rng.next_1d();
+        p.metal = parts[0] / sum;
+        p.coated = parts[1] / sum;
+        p.veil = parts[2] / sum;
+        p.glass = parts[3] / sum;
+        p.metal_fresnel = {Rgb(rng.next_1d()), Rgb(1), Rgb()};
+        p.coat_f0 = Rgb(std::pow(rng.next_1d(), 3));
+        p.coat_f90 = Rgb(1);
+        p.diffuse = Rgb(1);
+        p.veil_ior = p.coat_f0.r < 0.5 ? 1.5 : 0.7;
+        p.glass_model = Dielectric(0.6 + 2 * rng.next_1d(), p.alpha);
+        const double cos = 2 * rng.next_1d() - 1;
+        const auto seed = 100 + static_cast<std::uint64_t>(i);
+        EXPECT_TRUE(at_most(albedo(Layered(p), direction(cos, 2), TransportMode::Importance, 4000, seed), 1))
+            << "alpha " << p.alpha << " metal " << p.metal << " coated " << p.coated << " veil " << p.veil << " glass "
+            << p.glass << " f0 " << p.coat_f0.r << " cos " << cos;
+    }
+}
+
+/// Albedo of a Schlick coat by a fine quadrature of its sampler.
+SpecularAlbedo true_albedo(double cos, double alpha) {
+    constexpr int kN = 160;
+    SpecularAlbedo sum;
+    const Vec3 wo = direction(cos, 0);
+    const auto mode = TransportMode::Radiance;
+    const Bsdf f0 = flat(Conductor(SchlickFresnel{Rgb(1), Rgb(0), Rgb()}, alpha));
+    const Bsdf f90 = flat(Conductor(SchlickFresnel{Rgb(0), Rgb(1), Rgb()}, alpha));
+    for (int i = 0; i < kN; ++i) {
+        const double rest = 1 - (i + 0.5) / kN;  // more points where the lobe dips below the surface
+        for (int j = 0; j < kN / 2; ++j) {
+            const Vec2 u{1 - rest * rest, (j + 0.5) / kN};
+            const double weight = 2 * rest / (kN * (kN / 2));
+            if (const auto s = f0.sample(wo, 0, u, mode, kCorrect)) sum.of_f0 += weight * s->weight.r;
+            if (const auto s = f90.sample(wo, 0, u, mode, kCorrect)) sum.of_f90 += weight * s->weight.r;
+        }
+    }
+    return sum;
+}
+
+/// The table plus its margin bounds the truth, for every f0 <= f90 = 1: it is enough to look at f0 = 0 and f0 = 1.
+TEST(SpecularAlbedo, MarginCoversTheTablesError) {
+    Rng rng(20, 0, 0);
+    for (int i = 0; i < samples(1000); ++i) {
+        double cos = rng.next_1d();
+        if (i % 2 == 0) cos = cos * cos * cos;
+        const double roughness = i % 3 == 0 ? std::pow(rng.next_1d(), 2) : rng.next_1d();
+        const double alpha = roughness * roughness;
+        if (alpha < kSmoothAlpha || cos < 1e-6) continue;
+        const SpecularAlbedo truth = true_albedo(cos, alpha);
+        const SpecularAlbedo table = specular_albedo(cos, alpha);
+        const double margin = specular_albedo_margin(cos, alpha);
+        EXPECT_LE(truth.of_f90, table.of_f90 + margin) << "cos " << cos << " alpha " << alpha;
+        EXPECT_LE(truth.of_f0 + truth.of_f90, table.of_f0 + table.of_f90 + margin)
+            << "cos " << cos << " alpha " << alpha;
+        if (cos > 0.2) {
+            EXPECT_NEAR(truth.of_f0 + truth.of_f90, table.of_f0 + table.of_f90, 0.004);
+        }
+    }
+}
+
+TEST(SpecularAlbedo, MeanIsTheIntegralOfTheDirectionalOne) {
+    for (double alpha : {0.0, 1e-4, 0.01, 0.1, 0.37, 1.0}) {
+        double f0 = 0;
+        double f90 = 0;
+        constexpr int kN = 20000;
+        for (int i = 0; i < kN; ++i) {
+            const double cos = (i + 0.5) / kN;
+            f0 += 2 * cos * specular_albedo(cos, alpha).of_f0 / kN;
+            f90 += 2 * cos * specular_albedo(cos, alpha).of_f90 / kN;
+        }
+        EXPECT_NEAR(mean_specular_albedo(alpha).of_f0, f0, 1e-6) << alpha;
+        EXPECT_NEAR(mean_specular_albedo(alpha).of_f90, f90, 1e-6) << alpha;
+    }
+}
+
+}  // namespace
+}  // namespace etendue::test
