@@ -25,8 +25,8 @@ inline double squared_index_factor(TransportMode mode, double eta_known, double 
     return ratio * ratio;
 }
 
-/// What turns f |wi . n_s| (a BSDF that knows n_s only) into fbar |wi . n_g| for the given transport mode. Radiance: the
-/// factor cancels. Particles: |wo . n_s| |wi . n_g| / (|wo . n_g| |wi . n_s|), left out when the correction is off.
+/// What turns f |wi . n_s| (a BSDF that knows n_s only) into fbar |wi . n_g| for the given transport mode. Radiance:
+/// the factor cancels. Particles: |wo . n_s| |wi . n_g| / (|wo . n_g| |wi . n_s|), left out when the correction is off.
 /// The four arguments are absolute cosines.
 inline double shading_normal_factor(TransportMode mode, double cos_wo_ng, double cos_wo_ns, double cos_wi_ng,
                                     double cos_wi_ns, const AdjointPolicy& policy) {

@@ -5,8 +5,8 @@
 namespace etendue {
 namespace {
 
-/// Directions that n_s and n_g put on different sides carry nothing (theory.md §6). Nor do those in either tangent plane:
-/// a cosine this small has no digit right, and the shading-normal factor would overflow.
+/// Directions that n_s and n_g put on different sides carry nothing (theory.md §6). Nor do those in either tangent
+/// plane: a cosine this small has no digit right, and the shading-normal factor would overflow.
 bool consistent(double cos_ns, double cos_ng) {
     constexpr double kTangent = 1e-100;
     return (cos_ns > kTangent && cos_ng > kTangent) || (cos_ns < -kTangent && cos_ng < -kTangent);

@@ -46,6 +46,21 @@ constexpr double normal_reflectance(double ior) {
     return r * r;
 }
 
+/// Mean of fresnel_dielectric over the hemisphere, the integral of 2 cos F(cos).
+inline double mean_fresnel_dielectric(double eta) {
+    // Both sides of an interface pass the same power: eta^2 (1 - F(eta)) is 1 - F(1 / eta) for the means.
+    if (eta < 1) return 1 - eta * eta * (1 - mean_fresnel_dielectric(1 / eta));
+    if (eta - 1 < 1e-4) return (eta - 1) / 3;  // the terms below grow and cancel
+    const double n2 = eta * eta;
+    const double n4 = n2 * n2;
+    const double a = n2 + 1;
+    const double b = n4 - 1;
+    // Duntley 1942.
+    return 0.5 + (eta - 1) * (3 * eta + 1) / (6 * (eta + 1) * (eta + 1)) +
+           n2 * (n2 - 1) * (n2 - 1) / (a * a * a) * std::log((eta - 1) / (eta + 1)) -
+           2 * n2 * eta * (n2 + 2 * eta - 1) / (a * b) + 8 * n4 * (n4 + 1) / (a * b * b) * std::log(eta);
+}
+
 /// Schlick's reflectance between f0 (normal) and f90 (grazing), less `dip` c (1 - c)^6: OpenPBR's "F82-tint", which
 /// colours a metal near 82 degrees.
 struct SchlickFresnel {

@@ -15,17 +15,11 @@ double modulated_ior(double ior, double specular_weight) {
     return (1 + e) / (1 - e);
 }
 
-/// Mean of the exact Fresnel reflectance over the hemisphere (fits of Kulla and Conty 2017, good to 0.3 %).
-double mean_fresnel(double ior) {
-    if (ior >= 1) return (ior - 1) / (4.08567 + 1.00071 * ior);
-    return std::clamp(0.997118 + ior * (0.1014 + ior * (-0.965241 - ior * 0.130607)), 0.0, 1.0);
-}
-
 /// Schlick's curve for an opaque base's coat: the grazing value is such that the hemispherical mean is the interface's
 /// (that of Schlick's curve is F0 + (F90 - F0) / 21), so that the highlight vanishes as ior goes to 1.
 double grazing_reflectance(double ior) {
     const double f0 = normal_reflectance(ior);
-    return std::clamp(f0 + 21 * (mean_fresnel(ior) - f0), f0, 1.0);
+    return std::clamp(f0 + 21 * (mean_fresnel_dielectric(ior) - f0), f0, 1.0);
 }
 
 /// The dielectric, metal and diffuse parts of OpenPBR 1.1 at one point.

@@ -209,6 +209,19 @@ TEST(Fresnel, KeepsItsDigits) {
     }
 }
 
+TEST(Fresnel, MeanIsTheIntegral) {
+    for (double eta : {1.0, 1 + 2e-5, 1 + 2e-4, 1.01, 1.5, 3.0, 0.9999, 0.99, 0.7, 0.2}) {
+        double sum = 0;
+        constexpr int kN = 400000;
+        for (int i = 0; i < kN; ++i) {
+            const double x = (i + 0.5) / kN;
+            const double cos = x * x;  // more points where the curve is steep
+            sum += 2 * cos * fresnel_dielectric(cos, eta) * 2 * x / kN;
+        }
+        EXPECT_NEAR(mean_fresnel_dielectric(eta), sum, 1e-7 + 1e-2 * std::min(sum, 1e-3)) << eta;
+    }
+}
+
 TEST(Fresnel, IsTheSameFromBothSides) {
     Rng rng(45, 0, 0);
     for (int i = 0; i < 10000; ++i) {
