@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    std::optional<py::function> callable_;         // guarded by the GIL
+    std::optional<py::function> callable_;        // guarded by the GIL
     std::optional<py::error_already_set> error_;  // guarded by the GIL
     std::atomic<RenderSession*> session_{nullptr};
 };
@@ -133,8 +133,8 @@ void bind_render_session(py::module_& module) {
         .def_readonly("finished", &RenderProgress::finished);
 
     py::class_<Session>(module, "RenderSession")
-        .def(py::init<const SceneDescription&, const RenderSettings&, std::optional<py::function>>(),
-             py::arg("scene"), py::arg("settings"), py::arg("callback") = py::none())
+        .def(py::init<const SceneDescription&, const RenderSettings&, std::optional<py::function>>(), py::arg("scene"),
+             py::arg("settings"), py::arg("callback") = py::none())
         .def("start", &Session::start)
         .def("cancel", &Session::cancel)
         .def("wait", &Session::wait)

@@ -45,6 +45,10 @@ void bind_parts(py::module_& module) {
         .def_readwrite("lens_hit", &StrategySet::lens_hit);
     def_keyword_constructor<StrategySet>(strategies);
 
+    py::class_<Strategy> strategy(module, "Strategy");
+    strategy.def_readwrite("s", &Strategy::s).def_readwrite("t", &Strategy::t);
+    def_keyword_constructor<Strategy>(strategy);
+
     py::class_<PixelFilter> filter(module, "PixelFilter");
     filter.def_readwrite("kind", &PixelFilter::kind).def_readwrite("radius", &PixelFilter::radius);
     def_keyword_constructor<PixelFilter>(filter);
@@ -78,6 +82,7 @@ void bind_render_settings(py::module_& module) {
         .def_readwrite("filter", &RenderSettings::filter)
         .def_readwrite("heuristic", &RenderSettings::heuristic)
         .def_readwrite("strategies", &RenderSettings::strategies)
+        .def_readwrite("single_strategy", &RenderSettings::single_strategy)
         .def_readwrite("light_paths_per_pixel", &RenderSettings::light_paths_per_pixel)
         .def_readwrite("roulette_depth", &RenderSettings::roulette_depth)
         .def_readwrite("adjoint", &RenderSettings::adjoint)

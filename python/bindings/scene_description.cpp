@@ -23,7 +23,7 @@ Matrix4 matrix_from_array(const DoubleArray& array) {
 
 /// A (4, 4) property that copies on reading and on writing.
 template <typename Struct, typename Class>
-void def_matrix(Class& cls, const char* name, Matrix4 Struct::*member) {
+void def_matrix(Class& cls, const char* name, Matrix4 Struct::* member) {
     cls.def_property(
         name,
         [member](const Struct& self) {
@@ -35,13 +35,13 @@ void def_matrix(Class& cls, const char* name, Matrix4 Struct::*member) {
 }
 
 template <std::size_t N>
-void def_tuples(py::class_<MeshDesc>& cls, const char* name, std::vector<std::array<float, N>> MeshDesc::*member) {
+void def_tuples(py::class_<MeshDesc>& cls, const char* name, std::vector<std::array<float, N>> MeshDesc::* member) {
     cls.def_property(
         name, [member](const MeshDesc& self) { return array_from_tuples(self.*member); },
         [member](MeshDesc& self, const FloatArray& array) { self.*member = tuples_from_array<N>(array); });
 }
 
-void def_indices(py::class_<MeshDesc>& cls, const char* name, std::vector<std::int32_t> MeshDesc::*member) {
+void def_indices(py::class_<MeshDesc>& cls, const char* name, std::vector<std::int32_t> MeshDesc::* member) {
     cls.def_property(
         name, [member](const MeshDesc& self) { return array_from_indices(self.*member); },
         [member](MeshDesc& self, const py::array& array) { self.*member = indices_from_array(array); });
@@ -264,7 +264,7 @@ void bind_cameras(py::module_& module) {
 /// A list of the scene: read as a copy, replaced as a whole, or extended with add_<item>, which returns the index.
 template <typename Item>
 void def_items(py::class_<SceneDescription>& scene, const char* name, const char* add_name,
-               std::vector<Item> SceneDescription::*member) {
+               std::vector<Item> SceneDescription::* member) {
     scene.def_readwrite(name, member);
     scene.def(
         add_name,

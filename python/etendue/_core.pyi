@@ -668,6 +668,16 @@ class StrategySet:
     light_image: bool
     lens_hit: bool
 
+class Strategy:
+    def __init__(
+        self,
+        *,
+        s: int = ...,
+        t: int = ...,
+    ) -> None: ...
+    s: int
+    t: int
+
 class PixelFilter:
     def __init__(
         self,
@@ -710,6 +720,7 @@ class RenderSettings:
         filter: PixelFilter = ...,  # noqa: A002 - the attribute's name
         heuristic: MisHeuristic = ...,
         strategies: StrategySet = ...,
+        single_strategy: Strategy | None = ...,
         light_paths_per_pixel: float = ...,
         roulette_depth: int = ...,
         adjoint: AdjointPolicy = ...,
@@ -729,6 +740,7 @@ class RenderSettings:
     filter: PixelFilter
     heuristic: MisHeuristic
     strategies: StrategySet
+    single_strategy: Strategy | None
     light_paths_per_pixel: float
     roulette_depth: int
     adjoint: AdjointPolicy

@@ -46,6 +46,7 @@ class RenderOptions(TypedDict, total=False):
     filter: "box" (default), "triangle" or "gaussian"; filter_radius in pixels.
     heuristic: "power" (default) or "balance", for the weights of bdpt.
     strategies: the names of STRATEGIES that take part; default all.
+    single_strategy: (s, t), s light and t camera vertices: shows this strategy alone, unweighted.
     light_paths: light subpaths per pixel and pass. Default 1.
     roulette_depth: bounces before Russian roulette; negative: never.
     adjoint: the names of ADJOINT corrections that are made; default both. Leaving one out is
@@ -65,6 +66,7 @@ class RenderOptions(TypedDict, total=False):
     filter_radius: float | None
     heuristic: str
     strategies: Iterable[str] | None
+    single_strategy: tuple[int, int] | None
     light_paths: float
     roulette_depth: int
     adjoint: Iterable[str] | None
@@ -99,6 +101,9 @@ def render_settings(
     settings.strategies = _core.StrategySet(
         **_switches("strategy", options.get("strategies"), STRATEGIES)
     )
+    single = options.get("single_strategy")
+    if single is not None:
+        settings.single_strategy = _core.Strategy(s=single[0], t=single[1])
     settings.adjoint = _core.AdjointPolicy(
         **_switches("adjoint correction", options.get("adjoint"), ADJOINT)
     )

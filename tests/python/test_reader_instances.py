@@ -255,7 +255,7 @@ def test_lights_inside_point_instancers(build: StageBuilder) -> None:
     schema.GetPrototypesRel().SetTargets([Sdf.Path("/Instancer/Prototypes/light")])
     lights = build.read().scene.lights
     np.testing.assert_allclose(
-        [light.world_from_light[:3, 3] for light in lights], [[0.5, 0.5, 3], [1.5, 0.5, 3]]
+        [light.world_from_light[:3, 3] for light in lights], [[0.5, 0.5, 8], [1.5, 0.5, 8]]
     )
 
 

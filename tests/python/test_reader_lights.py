@@ -34,7 +34,7 @@ def test_rect(build: StageBuilder) -> None:
     assert light.kind == _core.LightKind.Rect
     assert (light.width, light.height) == (2, 3)
     assert (light.intensity, light.exposure, light.normalize) == (4, 5, True)
-    np.testing.assert_array_equal(light.world_from_light[:3, 3], [0.5, 0.5, 3])
+    np.testing.assert_array_equal(light.world_from_light[:3, 3], [0.5, 0.5, 8])
     assert light.name == "/Light"
 
 

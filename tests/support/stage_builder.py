@@ -48,9 +48,9 @@ class StageBuilder:
         return camera
 
     def light(self, kind: str = "SphereLight", path: str = "/Light", **inputs: Any) -> Usd.Prim:
-        """A light at (0.5, 0.5, 3)."""
+        """A light at (0.5, 0.5, 8): behind the camera, above the quad."""
         prim = self.stage.DefinePrim(path, kind)
-        UsdGeom.Xformable(prim).AddTranslateOp().Set((0.5, 0.5, 3))
+        UsdGeom.Xformable(prim).AddTranslateOp().Set((0.5, 0.5, 8))
         for name, value in inputs.items():
             prim.GetAttribute(f"inputs:{name}").Set(value)
         return prim

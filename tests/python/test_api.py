@@ -1,0 +1,384 @@
+"""etendue.open(...).render(...): what people write."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image as PilImage
+from pxr import Gf, Usd, UsdGeom, UsdRender
+
+import etendue
+from support.exr_header import read_exr_header
+from support.stage_builder import StageBuilder
+
+SMALL: Any = {"resolution": (16, 12), "spp": 2}
+
+
+@pytest.fixture
+def stage(build: StageBuilder) -> etendue.Stage:
+    """A lit quad."""
+    return etendue.open(build.lit_quad().stage)
+
+
+@pytest.fixture
+def file(build: StageBuilder, tmp_path: Path) -> Path:
+    """The same in a file."""
+    path = tmp_path / "quad.usda"
+    build.lit_quad().stage.Export(str(path))
+    return path
+
+
+# ------------------------------------------------------------------------------------------- open
+
+
+def test_six_lines(file: Path, tmp_path: Path) -> None:
+    stage = etendue.open(file)
+    image = stage.render(resolution=(16, 12), spp=1)
+    image.save(tmp_path / "quad.png")
+    with PilImage.open(tmp_path / "quad.png") as picture:
+        assert picture.size == (16, 12)
+
+
+def test_open_tells_what_it_has(stage: etendue.Stage) -> None:
+    assert stage.cameras == ("/Camera",)
+    assert stage.frame == 0
+    assert stage.warnings == ()
+    assert "Stage" in repr(stage)
+
+
+def test_open_warns(build: StageBuilder) -> None:
+    build.lit_quad().quad("/Bad", points=[])
+    with pytest.warns(etendue.EtendueWarning, match="/Bad: the mesh is skipped") as caught:
+        stage = etendue.open(build.stage)
+    assert caught[0].filename == __file__
+    assert [warning.path for warning in stage.warnings] == ["/Bad"]
+
+
+def test_open_at_a_frame(build: StageBuilder) -> None:
+    positions = build.lit_quad().stage.GetPrimAtPath("/Camera").GetAttribute("xformOp:translate")
+    positions.Set((0.5, 0.5, 5), 1.0)
+    positions.Set((0.5, 0.5, 7), 3.0)
+    stage = etendue.open(build.stage, frame=2)
+    depth = stage.render(**SMALL, aovs=["depth"])["depth"]
+    assert depth[6, 8] == pytest.approx(6)
+
+
+# ------------------------------------------------------------------------------------------ images
+
+
+def test_image(stage: etendue.Stage) -> None:
+    image = stage.render(**SMALL, aovs=["alpha", "depth", "normal"])
+    assert (image.width, image.height) == (16, 12)
+    assert image.full_size == (16, 12)
+    assert image.window == (0, 0, 16, 12)
+    assert image.aovs == ("color", "alpha", "depth", "normal")
+    assert "depth" in image
+    assert "albedo" not in image
+    assert image.color.shape == (12, 16, 3)
+    assert image["depth"].shape == (12, 16)
+    assert image["depth"].dtype == np.float32
+    assert image.statistics.passes == 2
+    assert image.statistics.camera_paths >= 2 * 16 * 12
+    assert set(image.statistics.invalid) == {"nan", "infinite", "negative"}
+    with pytest.raises(KeyError, match=r"no AOV 'albedo'.*color, alpha, depth, normal"):
+        image["albedo"]
+
+
+def test_color_is_always_there(stage: etendue.Stage) -> None:
+    assert stage.render(**SMALL, aovs=["depth"]).aovs == ("color", "depth")
+
+
+def test_changing_an_array_changes_nothing_else(stage: etendue.Stage) -> None:
+    image = stage.render(**SMALL)
+    image.color[:] = 7
+    assert image.color.max() < 7
+
+
+def test_crop_is_part_of_the_whole(stage: etendue.Stage) -> None:
+    whole = stage.render(**SMALL, aovs=["depth"])
+    part = stage.render(**SMALL, aovs=["depth"], crop=(4, 3, 10, 11))
+    assert part.window == (4, 3, 10, 11)
+    assert part.full_size == (16, 12)
+    assert part.color.shape == (8, 6, 3)
+    np.testing.assert_array_equal(
+        np.isfinite(part["depth"]), np.isfinite(whole["depth"][3:11, 4:10])
+    )
+
+
+@pytest.mark.parametrize("integrator", ["path", "light", "bdpt"])
+def test_seed_and_threads(stage: etendue.Stage, integrator: str) -> None:
+    options: Any = {**SMALL, "integrator": integrator, "spp": 4}
+    one = stage.render(**options, seed=5, threads=1)
+    two = stage.render(**options, seed=5, threads=2)
+    other = stage.render(**options, seed=6)
+    np.testing.assert_array_equal(one.color, two.color)
+    assert (one.color != other.color).any()
+
+
+def test_integrators_agree(stage: etendue.Stage) -> None:
+    means = [
+        stage.render(resolution=(8, 6), spp=2048, integrator=name).color.mean()
+        for name in ("path", "light", "bdpt")
+    ]
+    assert max(means) == pytest.approx(min(means), rel=0.1)
+    assert min(means) > 0
+
+
+def test_max_depth_0_shows_emission_only(build: StageBuilder) -> None:
+    UsdGeom.XformCommonAPI(build.lit_quad().stage.GetPrimAtPath("/Light")).SetTranslate(
+        Gf.Vec3d(0.5, 0.5, 2)
+    )
+    color = etendue.open(build.stage).render(**SMALL, max_depth=0, integrator="path").color
+    np.testing.assert_allclose(color[6, 8], [50, 50, 50], rtol=1e-5)
+    assert color[0, 0].max() == 0
+
+
+def test_time_limit(stage: etendue.Stage) -> None:
+    started = time.monotonic()
+    image = stage.render(resolution=(16, 12), time=0.3)
+    assert time.monotonic() - started < 30
+    assert image.statistics.passes > 2
+
+
+def test_wrong_on_purpose(stage: etendue.Stage) -> None:
+    stage.render(**SMALL, adjoint=["refraction"], strategies=["emission_hit", "direct_light"])
+
+
+# -------------------------------------------------------------------------------------- resolution
+
+
+def test_default_resolution_has_the_cameras_aspect(build: StageBuilder) -> None:
+    build.lit_quad().stage.GetPrimAtPath("/Camera").GetAttribute("verticalAperture").Set(20.955)
+    with etendue.open(build.stage).session(spp=1, crop=(0, 0, 4, 4)) as session:
+        session.wait()
+        assert session.snapshot().full_size == (960, 960)
+        assert session.pixels == 16
+
+
+def test_render_settings_are_followed(build: StageBuilder) -> None:
+    build.lit_quad().camera("/Other")
+    settings = UsdRender.Settings.Define(build.stage, "/Render")
+    build.stage.SetMetadata("renderSettingsPrimPath", "/Render")
+    settings.CreateCameraRel().SetTargets(["/Other"])
+    settings.CreateResolutionAttr(Gf.Vec2i(20, 10))
+    # The lower left quarter.
+    settings.CreateDataWindowNDCAttr(Gf.Vec4f(0, 0, 0.5, 0.5))
+    stage = etendue.open(build.stage)
+    image = stage.render(spp=1)
+    assert image.full_size == (20, 10)
+    assert image.window == (0, 5, 10, 10)
+    assert image.metadata["etendue:camera"] == "/Other"
+    explicit = stage.render("/Camera", resolution=(8, 4), spp=1, crop=(0, 0, 8, 4))
+    assert explicit.window == (0, 0, 8, 4)
+    assert explicit.metadata["etendue:camera"] == "/Camera"
+
+
+# ------------------------------------------------------------------------------------------ errors
+
+
+def test_no_camera(build: StageBuilder) -> None:
+    build.quad()
+    build.light()
+    with pytest.raises(etendue.SceneError, match="the stage has no camera"):
+        etendue.open(build.stage).render()
+
+
+def test_no_light(build: StageBuilder) -> None:
+    build.quad()
+    build.camera()
+    build.light(intensity=0.0)
+    stage = etendue.open(build.stage)
+    with pytest.raises(etendue.SceneError, match="no light") as caught:
+        stage.render()
+    assert stage.source in str(caught.value)
+
+
+def test_emitting_surface_is_light_enough(build: StageBuilder) -> None:
+    build.camera()
+    build.bind(build.quad(), build.material(emissiveColor=(3.0, 2.0, 1.0)))
+    color = etendue.open(build.stage).render(**SMALL, max_depth=0, integrator="path").color
+    np.testing.assert_allclose(color[6, 8], [3, 2, 1], rtol=1e-5)
+
+
+@pytest.mark.parametrize("camera", ["/Nowhere", "/Quad", "nobody"])
+def test_unknown_camera(build: StageBuilder, camera: str) -> None:
+    build.lit_quad().camera("/Other")
+    with pytest.raises(etendue.SettingsError, match=r"not a camera.*/Camera, /Other"):
+        etendue.open(build.stage).render(camera)
+
+
+def test_camera_by_name(build: StageBuilder) -> None:
+    build.lit_quad().camera("/cameras/top")
+    image = etendue.open(build.stage).render("top", **SMALL)
+    assert image.metadata["etendue:camera"] == "/cameras/top"
+
+
+@pytest.mark.filterwarnings("ignore::etendue.EtendueWarning")
+def test_orthographic_camera(build: StageBuilder) -> None:
+    build.lit_quad().camera("/Ortho", projection="orthographic")
+    stage = etendue.open(build.stage)
+    with pytest.raises(etendue.SceneError, match=r"/Ortho is orthographic.*/Camera"):
+        stage.render("/Ortho")
+    stage.render(**SMALL)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"integrator": "magic"}, "unknown integrator 'magic'; there are: path, light, bdpt"),
+        ({"aovs": ["beauty"]}, "unknown aov 'beauty'; there are: color, alpha"),
+        ({"filter": "sinc"}, "unknown filter 'sinc'"),
+        ({"heuristic": "gut"}, "unknown heuristic 'gut'"),
+        ({"strategies": ["luck"]}, "unknown strategy 'luck'"),
+        ({"adjoint": ["fog"]}, "unknown adjoint correction 'fog'"),
+        ({"resolution": (0, 5)}, "resolution is 0"),
+        ({"crop": (0, 0, 17, 5)}, "crop 0,0,17,5 is empty or outside of the image of 16x12"),
+        ({"crop": (5, 5, 5, 6)}, "crop 5,5,5,6 is empty"),
+        ({"spp": -1}, "spp is -1"),
+        ({"spp": 0}, "never end"),
+        ({"time": -1.0}, "time is -1.0"),
+        ({"time": float("nan")}, "time is nan"),
+        ({"max_depth": -1}, "max_depth is -1"),
+        ({"threads": -1}, "threads is -1"),
+    ],
+)
+def test_bad_options(stage: etendue.Stage, options: Any, message: str) -> None:
+    with pytest.raises(etendue.SettingsError, match=message):
+        stage.render(**({"resolution": (16, 12)} | options))
+
+
+def test_missing_file(tmp_path: Path) -> None:
+    with pytest.raises(etendue.FileError, match=r"missing\.usda: no such file"):
+        etendue.open(tmp_path / "missing.usda")
+
+
+def test_unreadable_texture_does_not_crash(build: StageBuilder, tmp_path: Path) -> None:
+    from pxr import Sdf
+
+    from support.stage_builder import Types
+
+    picture = tmp_path / "broken.png"
+    picture.write_bytes(b"no picture")
+    build.lit_quad()
+    build.bind(build.stage.GetPrimAtPath("/Quad"), build.material())
+    node = build.node("UsdUVTexture", "/Material/Texture", file=Sdf.AssetPath(str(picture)))
+    surface = build.node("UsdPreviewSurface", "/Material/Surface")
+    surface.CreateInput("diffuseColor", Types.Color3f).ConnectToSource(
+        node.CreateOutput("rgb", Types.Float3)
+    )
+    with pytest.raises(etendue.FileError, match=r"broken\.png"):
+        etendue.open(build.stage).render(**SMALL)
+
+
+# ------------------------------------------------------------------------------------------- files
+
+
+def test_exr(stage: etendue.Stage, tmp_path: Path) -> None:
+    file = tmp_path / "a.exr"
+    image = stage.render(**SMALL, seed=9, aovs=["alpha", "depth"], crop=(2, 3, 10, 11))
+    image.save(file)
+    header = read_exr_header(file)
+    assert header["channels"] == ["A", "B", "G", "R", "depth.Z"]
+    assert header["dataWindow"] == (2, 3, 9, 10)
+    assert header["displayWindow"] == (0, 0, 15, 11)
+    assert header["Software"] == f"Etendue {etendue.__version__}"
+    assert header["etendue:version"] == etendue.__version__
+    assert header["etendue:seed"] == "9"
+    assert header["etendue:spp"] == "2"
+    assert header["etendue:integrator"] == "bdpt"
+    assert header["etendue:camera"] == "/Camera"
+    assert header["etendue:stage"] == stage.source
+    assert float(str(header["etendue:seconds"])) >= 0
+
+
+@pytest.mark.parametrize(
+    ("name", "bits"), [("a.png", 8), ("a.png", 16), ("a.tif", 16), ("a.jpg", 8)]
+)
+def test_display_files(stage: etendue.Stage, tmp_path: Path, name: str, bits: int) -> None:
+    file = tmp_path / name
+    image = stage.render(**SMALL)
+    image.save(file, bits=bits)
+    assert file.stat().st_size > 50
+    with PilImage.open(file) as picture:
+        assert picture.size == (16, 12)
+
+
+def test_display_values(stage: etendue.Stage, tmp_path: Path) -> None:
+    file = tmp_path / "a.png"
+    image = stage.render(**SMALL)
+    image.save(file)
+    shown = np.clip(image.for_display(), 0, 1)
+    with PilImage.open(file) as picture:
+        pixels = np.asarray(picture.convert("RGB"), dtype=np.float64) / 255
+    np.testing.assert_allclose(pixels, shown, atol=1 / 255)
+
+
+def test_files_that_cannot_be_written(stage: etendue.Stage, tmp_path: Path) -> None:
+    image = stage.render(**SMALL)
+    with pytest.raises(etendue.FileError, match="nowhere"):
+        image.save(tmp_path / "nowhere" / "a.exr")
+    with pytest.raises(etendue.SettingsError, match=r"a\.gif"):
+        image.save(tmp_path / "a.gif")
+    with pytest.raises(etendue.SettingsError, match="no such view"):
+        image.save(tmp_path / "a.png", view="no such view")
+    with pytest.raises(etendue.FileError, match=r"missing\.ocio"):
+        image.save(tmp_path / "a.png", ocio=str(tmp_path / "missing.ocio"))
+    assert list(tmp_path.iterdir()) == []
+
+
+# ---------------------------------------------------------------------------------------- sessions
+
+
+def test_session(stage: etendue.Stage) -> None:
+    session = stage.session(resolution=(16, 12), spp=1_000_000)
+    with session:
+        while session.progress.passes_done < 2:
+            time.sleep(0.001)
+        first = session.snapshot()
+        assert session.wait(0.05) is False
+        session.cancel()
+        assert session.wait(30) is True
+        last = session.snapshot()
+    assert first.statistics.passes >= 2
+    assert last.statistics.passes >= first.statistics.passes
+    assert last.metadata["etendue:spp"] == str(last.statistics.passes)
+
+
+def test_progress_callback(stage: etendue.Stage) -> None:
+    threads = set()
+    stage.render(**SMALL, progress=lambda _: threads.add(threading.get_ident()))
+    assert threads
+    assert threading.get_ident() not in threads
+
+
+def test_progress_callback_that_fails(stage: etendue.Stage) -> None:
+    def fail(_: etendue.RenderProgress) -> None:
+        raise LookupError("not my day")
+
+    with pytest.raises(LookupError, match="not my day"):
+        stage.render(resolution=(16, 12), spp=1_000_000, progress=fail)
+
+
+def test_ctrl_c_keeps_the_image(stage: etendue.Stage) -> None:
+    def interrupt(progress: etendue.RenderProgress) -> None:
+        if progress.passes_done == 3:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt) as caught:
+        stage.render(resolution=(16, 12), spp=1_000_000_000, progress=interrupt)
+    assert isinstance(caught.value, etendue.Interrupted)
+    assert caught.value.image.statistics.passes >= 3
+    assert caught.value.image.color.any()
+
+
+def test_stage_outlives_the_usd_stage(build: StageBuilder) -> None:
+    stage = etendue.open(build.lit_quad().stage)
+    build.stage = Usd.Stage.CreateInMemory()
+    stage.render(**SMALL)
