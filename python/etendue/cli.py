@@ -9,6 +9,7 @@ import sys
 import warnings
 from typing import Annotated, Any
 
+import numpy as np
 import typer
 from rich.console import Console
 
@@ -42,10 +43,13 @@ def main(arguments: list[str] | None = None) -> None:
 
 def run(arguments: list[str]) -> int:
     """The exit status. Errors are one line on stderr, without a traceback unless --debug."""
+    debug = "--debug" in arguments
     try:
         status = app(args=arguments, prog_name="etendue", standalone_mode=False)
     except etendue.Error as error:
-        return _fail(error, str(error), 1)
+        if debug:
+            raise
+        return _fail(str(error), 1)
     except (KeyboardInterrupt, typer.Abort):
         print("etendue: interrupted", file=sys.stderr)
         return INTERRUPTED
@@ -54,23 +58,20 @@ def run(arguments: list[str]) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except Exception as error:
+        if debug:
+            raise
         # Usage errors know how to say what is wrong.
         message = getattr(error, "format_message", None)
         if message is not None:
-            return _fail(error, f"{message()} (see etendue --help)", 2)
-        return _fail(error, f"{type(error).__name__}: {error}", 1)
+            # Without any argument the help has been printed, and there is no more to say.
+            return _fail(f"{message()} (see etendue --help)", 2) if message() else 2
+        return _fail(f"{type(error).__name__}: {error}", 1)
     return status if isinstance(status, int) else 0
 
 
-def _fail(error: Exception, message: str, status: int) -> int:
-    if _Debug.on:
-        raise error
+def _fail(message: str, status: int) -> int:
     print(f"etendue: error: {' '.join(message.split())}", file=sys.stderr)
     return status
-
-
-class _Debug:
-    on = False
 
 
 def _show_version(wanted: bool) -> None:
@@ -89,8 +90,7 @@ def common(
     ] = False,
 ) -> None:
     """A bidirectional path tracer for USD."""
-    del version
-    _Debug.on = debug
+    del version, debug  # looked at before the command runs
 
 
 @app.command()
@@ -174,9 +174,10 @@ def render(
     image.save(output, display=display, view=view, ocio=ocio, bits=bits)
     statistics = image.statistics
     told = "interrupted, wrote" if interrupted else "wrote"
+    samples = f"{statistics.passes} spp" if statistics.passes else "less than 1 spp"
     if interrupted or not quiet:
         _say(
-            f"{told} {output}: {image.width}x{image.height}, {statistics.passes} spp, "
+            f"{told} {output}: {image.width}x{image.height}, {samples}, "
             f"{duration(statistics.seconds)}"
         )
     refused = sum(statistics.invalid.values())
@@ -228,8 +229,6 @@ def _check_display(ocio: str, display: str, view: str, bits: int) -> None:
     """Raises what saving would raise, before the render."""
     if bits not in (8, 16):
         raise typer.BadParameter("--bits is 8 or 16")
-    import numpy as np
-
     _core.ColorConfig(ocio).apply(np.zeros((1, 3), np.float32), display, view)
 
 

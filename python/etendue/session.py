@@ -65,8 +65,8 @@ class Session:
     def wait(self, timeout: float | None = None) -> bool:
         """Waits for the end, at most `timeout` seconds; True when rendering has ended.
 
-        Raises what ended the render early. Ctrl-C gets through within a tenth of a second and
-        leaves the render running.
+        A session that was never started counts as ended. Raises what ended the render early.
+        Ctrl-C gets through within a tenth of a second and leaves the render running.
         """
         deadline = None if timeout is None else time.monotonic() + timeout
         while True:

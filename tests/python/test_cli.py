@@ -124,8 +124,7 @@ def test_warnings_are_lines(
     )
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT])
-def test_ctrl_c_writes_what_there_is(file: Path, tmp_path: Path, number: signal.Signals) -> None:
+def test_ctrl_c_writes_what_there_is(file: Path, tmp_path: Path) -> None:
     out = tmp_path / "a.exr"
     with subprocess.Popen(
         command("render", file, "-o", out, "--resolution", "64x48", "--time", "600"),
@@ -135,7 +134,7 @@ def test_ctrl_c_writes_what_there_is(file: Path, tmp_path: Path, number: signal.
         assert process.stderr is not None
         process.stderr.readline()  # the first line of progress: it renders
         time.sleep(0.3)
-        process.send_signal(number)
+        process.send_signal(signal.SIGINT)
         rest = process.stderr.read()
         assert process.wait(30) == 130
     assert "interrupted, wrote" in rest
@@ -288,6 +287,13 @@ def test_version(capsys: pytest.CaptureFixture[str]) -> None:
 def test_help(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.run(arguments) == 0
     assert "etendue" in capsys.readouterr().out
+
+
+def test_no_arguments_show_the_help(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.run([]) == 2
+    captured = capsys.readouterr()
+    assert "render" in captured.out
+    assert captured.err == ""
 
 
 def test_main_ends_the_process(tmp_path: Path) -> None:
