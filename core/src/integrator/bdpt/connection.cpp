@@ -6,8 +6,8 @@
 
 namespace etendue {
 
-Connector::LightDensities Connector::light_densities(int light_index, const LightPoint& y, const Vec3& receiver,
-                                                     const Vec3& w) const {
+LightDensities Connector::light_densities(int light_index, const LightPoint& y, const Vec3& receiver,
+                                          const Vec3& w) const {
     const Light& light = context_.scene.light(light_index);
     const LightSampler& sampler = context_.scene.light_sampler();
     const EmissionPdf pdf = light.pdf_emission(y, w);
@@ -17,14 +17,6 @@ Connector::LightDensities Connector::light_densities(int light_index, const Ligh
 
 // ------------------------------------------------------------------------------------------------------- s = 0
 
-double Connector::emission_weight(const MisState& mis, const LightDensities& p, int t) const {
-    // The next strategy is next-event estimation with its own density of y0; only (1, 1) starts at the subpath's y0.
-    const double next =
-        t == 2 ? heuristic_(p.emission) * mis.adjacent : (active_.direct_light ? heuristic_(p.direct) : 0);
-    const double others = next * mis.connect + heuristic_(p.emission * p.dir) * mis.deeper;
-    return 1 / (1 + others);
-}
-
 std::optional<Contribution> Connector::emission(const CameraSubpath& camera, std::size_t i) const {
     const Vertex& z = camera.vertices[i];
     if (z.si.light < 0) return {};
@@ -33,7 +25,7 @@ std::optional<Contribution> Connector::emission(const CameraSubpath& camera, std
     if (is_black(radiance)) return {};
     const Vec3& receiver = i == 0 ? camera.origin : camera.vertices[i - 1].si.p;
     const LightDensities p = light_densities(z.si.light, y, receiver, z.wo);
-    return Contribution{z.beta * radiance, emission_weight(z.mis, p, static_cast<int>(i) + 2), {}};
+    return Contribution{z.beta * radiance, weight_emission_hit(heuristic_, z.mis, p, i == 0, active_.direct_light), {}};
 }
 
 std::optional<Contribution> Connector::infinite_emission(const Escape& escape, int light_index) const {
@@ -41,7 +33,9 @@ std::optional<Contribution> Connector::infinite_emission(const Escape& escape, i
     const Rgb radiance = context_.scene.light(light_index).radiance(y, -escape.direction);
     if (is_black(radiance)) return {};
     const LightDensities p = light_densities(light_index, y, escape.from, -escape.direction);
-    return Contribution{escape.beta * radiance, emission_weight(escape.mis, p, escape.t), {}};
+    return Contribution{escape.beta * radiance,
+                        weight_emission_hit(heuristic_, escape.mis, p, escape.t == 2, active_.direct_light),
+                        {}};
 }
 
 // ------------------------------------------------------------------------------------------------------- s = 1
@@ -58,18 +52,16 @@ std::optional<Contribution> Connector::direct(const Vertex& z, Rng& rng, std::ui
     Contribution c{z.beta * f * sample->weight / choice->pmf, 0, {}};
     if (is_black(c.value)) return {};
 
-    const LightDensities p = light_densities(choice->light, sample->y, z.si.p, -wi);
-    const double pdf_direct = choice->pmf * sample->pdf_point;
+    LightDensities p = light_densities(choice->light, sample->y, z.si.p, -wi);
+    p.direct = choice->pmf * sample->pdf_point;
     const bool infinite = light.infinite();
-    double shorter = 0;
+    double pdf_hit = 0;
     if (active_.emission_hit && !light.delta()) {
         const double area_y = infinite ? 1 : area_per_solid_angle(z.si.p, sample->y.p, sample->y.n);
-        shorter = heuristic_(z.bsdf->pdf(z.wo, wi) * area_y / pdf_direct);
+        pdf_hit = z.bsdf->pdf(z.wo, wi) * area_y;
     }
     const double area_z = infinite ? abs_dot(wi, z.si.n_g) : area_per_solid_angle(sample->y.p, z.si.p, z.si.n_g);
-    const double longer =
-        heuristic_(p.emission / pdf_direct) * side_sum(z.mis, heuristic_, p.dir * area_z, z.bsdf->pdf(wi, z.wo));
-    c.weight = 1 / (1 + shorter + longer);
+    c.weight = weight_direct_light(heuristic_, z.mis, p, pdf_hit, area_z, z.bsdf->pdf(wi, z.wo));
 
     ++rays;
     const RayEnd here = RayEnd::on(z.si);
@@ -95,8 +87,7 @@ std::optional<Contribution> Connector::connect(const Vertex& y, const Vertex& z,
 
     const double pdf_z = y.bsdf->pdf(y.wo, w) * area_per_solid_angle(y.si.p, z.si.p, z.si.n_g);
     const double pdf_y = z.bsdf->pdf(z.wo, -w) * area_per_solid_angle(z.si.p, y.si.p, y.si.n_g);
-    c.weight = 1 / (1 + side_sum(y.mis, heuristic_, pdf_y, y.bsdf->pdf(w, y.wo)) +
-                    side_sum(z.mis, heuristic_, pdf_z, z.bsdf->pdf(-w, z.wo)));
+    c.weight = weight_connection(heuristic_, y.mis, pdf_y, y.bsdf->pdf(w, y.wo), z.mis, pdf_z, z.bsdf->pdf(-w, z.wo));
 
     ++rays;
     if (!context_.scene.visible(RayEnd::on(y.si), RayEnd::on(z.si))) return {};
@@ -116,7 +107,7 @@ double Connector::lens_ratio(double pdf_to_lens, const LensSample& lens) const {
     if (!active_.lens_hit) return 0;
     const double cos_lens = abs_dot(lens.direction, context_.camera.forward());
     const double area = std::isinf(lens.distance) ? cos_lens : cos_lens / (lens.distance * lens.distance);
-    return heuristic_(pdf_to_lens * area / lens.pdf_lens);
+    return pdf_to_lens * area / lens.pdf_lens;
 }
 
 std::optional<Contribution> Connector::to_lens(const Vertex& y, Rng& rng, std::uint64_t& rays) const {
@@ -128,8 +119,8 @@ std::optional<Contribution> Connector::to_lens(const Vertex& y, Rng& rng, std::u
     if (is_black(c.value)) return {};
 
     const double pdf_y = lens->pdf_dir * area_per_solid_angle(lens->origin, y.si.p, y.si.n_g);
-    const double shorter = side_sum(y.mis, heuristic_, pdf_y, y.bsdf->pdf(w, y.wo)) / heuristic_(active_.light_paths);
-    c.weight = 1 / (1 + shorter + lens_ratio(y.bsdf->pdf(y.wo, w), *lens));
+    c.weight = weight_light_image(heuristic_, y.mis, pdf_y, y.bsdf->pdf(w, y.wo), active_.light_paths,
+                                  lens_ratio(y.bsdf->pdf(y.wo, w), *lens));
 
     ++rays;
     if (!context_.scene.visible(RayEnd::on(y.si), RayEnd::free(lens->origin))) return {};
@@ -150,9 +141,9 @@ std::optional<Contribution> Connector::start_to_lens(const LightStart& start, Rn
     if (is_black(c.value)) return {};
 
     const double area_y = infinite ? 1 : area_per_solid_angle(lens->origin, start.y.p, start.y.n);
-    const double shorter =
-        active_.emission_hit ? heuristic_(lens->pdf_dir * area_y / (start.pdf_point * active_.light_paths)) : 0;
-    c.weight = 1 / (1 + shorter + lens_ratio(light.pdf_emission(start.y, w).pdf_dir, *lens));
+    const double hit_ratio = active_.emission_hit ? lens->pdf_dir * area_y / start.pdf_point : 0;
+    c.weight = weight_light_image_of_start(heuristic_, hit_ratio, active_.light_paths,
+                                           lens_ratio(light.pdf_emission(start.y, w).pdf_dir, *lens));
 
     ++rays;
     const bool open = infinite ? context_.scene.sees_infinity(RayEnd::free(lens->origin), lens->direction)
@@ -164,10 +155,8 @@ std::optional<Contribution> Connector::start_to_lens(const LightStart& start, Rn
 Contribution Connector::lens_hit(const LensCrossing& crossing) const {
     const LensHit& hit = crossing.hit;
     Contribution c{crossing.beta * hit.importance, 0, hit.raster};
-    // The first vertex of a light subpath is not chosen anew for (1, 1), so its direct-light factor does not apply.
-    const double joined = active_.light_image ? crossing.mis.connect : 0;
-    const double traced = heuristic_(hit.pdf_dir / active_.light_paths) * crossing.mis.deeper;
-    c.weight = 1 / (1 + heuristic_(hit.pdf_lens) * (joined + traced));
+    c.weight =
+        weight_lens_hit(heuristic_, crossing.mis, hit.pdf_lens, hit.pdf_dir, active_.light_paths, active_.light_image);
     return c;
 }
 

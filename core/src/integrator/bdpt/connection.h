@@ -5,6 +5,7 @@
 
 #include "integrator/bdpt/strategies.h"
 #include "integrator/bdpt/vertex.h"
+#include "integrator/bdpt/weights.h"
 #include "integrator/heuristic.h"
 #include "integrator/render_context.h"
 #include "math/rng.h"
@@ -42,15 +43,10 @@ public:
     [[nodiscard]] Contribution lens_hit(const LensCrossing& crossing) const;
 
 private:
-    /// Densities by which a light point could have been found from `receiver`, and have emitted along w.
-    struct LightDensities {
-        double direct = 0;    ///< s = 1
-        double emission = 0;  ///< y0 of a light subpath
-        double dir = 0;       ///< of the subpath's first direction
-    };
+    /// Of the light point y seen from `receiver`, emitting along w.
     [[nodiscard]] LightDensities light_densities(int light_index, const LightPoint& y, const Vec3& receiver,
                                                  const Vec3& w) const;
-    [[nodiscard]] double emission_weight(const MisState& mis, const LightDensities& p, int t) const;
+    /// Density of the lens point from the vertex that it was joined to, over that of the lens sample.
     [[nodiscard]] double lens_ratio(double pdf_to_lens, const LensSample& lens) const;
     [[nodiscard]] bool on_film(const Vec2& raster) const;
 
