@@ -1,6 +1,7 @@
 #include "math/transform.h"
 
 #include <cmath>
+#include <limits>
 
 #include <etendue/error.h>
 
@@ -11,8 +12,8 @@ Transform::Transform(const Matrix4& matrix) {
     for (double value : m) {
         if (!std::isfinite(value)) throw SceneError("transform is not finite");
     }
-    if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] == 0) throw SceneError("transform is not affine");
     const double w = 1 / m[15];
+    if (m[12] != 0 || m[13] != 0 || m[14] != 0 || !std::isfinite(w)) throw SceneError("transform is not affine");
     m_ = {Vec3{m[0], m[1], m[2]} * w, Vec3{m[4], m[5], m[6]} * w, Vec3{m[8], m[9], m[10]} * w};
     translation_ = Vec3{m[3], m[7], m[11]} * w;
     // Columns of the inverse are cross products of the rows over the determinant.
@@ -20,7 +21,11 @@ Transform::Transform(const Matrix4& matrix) {
     const Vec3 c1 = cross(m_[2], m_[0]);
     const Vec3 c2 = cross(m_[0], m_[1]);
     determinant_ = dot(m_[0], c0);
-    if (determinant_ == 0 || !std::isfinite(1 / determinant_)) throw SceneError("transform is singular");
+    // A matrix that flattens space has a determinant of rounding errors, not of 0, unless it does so along an axis.
+    const double rounding = 8 * std::numeric_limits<double>::epsilon() * length(m_[0]) * length(m_[1]) * length(m_[2]);
+    if (!(std::abs(determinant_) > rounding) || !std::isfinite(determinant_) || !std::isfinite(1 / determinant_)) {
+        throw SceneError("transform is singular");
+    }
     const double d = 1 / determinant_;
     inv_ = {Vec3{c0.x, c1.x, c2.x} * d, Vec3{c0.y, c1.y, c2.y} * d, Vec3{c0.z, c1.z, c2.z} * d};
 }
