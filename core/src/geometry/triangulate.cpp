@@ -40,9 +40,10 @@ private:
         return dot(normal_, cross(corner(b) - corner(a), corner(c) - corner(b)));
     }
 
+    /// Corners in the same place do not count: a bridge to a hole is walked twice, and both its ends are repeated.
     [[nodiscard]] bool contains_another(const std::array<int, 3>& t) const {
         for (int i : remaining_) {
-            if (i == t[0] || i == t[1] || i == t[2]) continue;
+            if (corner(i) == corner(t[0]) || corner(i) == corner(t[1]) || corner(i) == corner(t[2])) continue;
             if (turn(t[0], t[1], i) >= 0 && turn(t[1], t[2], i) >= 0 && turn(t[2], t[0], i) >= 0) return true;
         }
         return false;
