@@ -1,6 +1,7 @@
 #include "scene/placed_shape.h"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 
@@ -32,6 +33,25 @@ void check_slots(const TriangleMesh& mesh, const ShapeDesc& shape) {
     }
 }
 
+void check_size(double size, const char* what, const std::string& name) {
+    if (!(size > 0) || !std::isfinite(size)) throw SceneError(name + ": " + what + " must be positive");
+}
+
+/// USD's sizes are lengths: what is negative or not finite has no meaning to guess at.
+void check_sizes(const SphereDesc& sphere, const std::string& name) { check_size(sphere.radius, "radius", name); }
+void check_sizes(const CubeDesc& cube, const std::string& name) { check_size(cube.size, "size", name); }
+void check_sizes(const PlaneDesc& plane, const std::string& name) {
+    check_size(plane.width, "width", name);
+    check_size(plane.length, "length", name);
+}
+template <typename Revolved>
+void check_sizes(const Revolved& body, const std::string& name) {
+    check_size(body.radius, "radius", name);
+    // A capsule of no height is a sphere.
+    if (std::is_same_v<Revolved, CapsuleDesc> && body.height == 0) return;
+    check_size(body.height, "height", name);
+}
+
 PlacedGeometry place_geometry(const GeometryDesc& desc, const Transform& parent_from_object, const std::string& name,
                               bool as_mesh) {
     return std::visit(
@@ -40,8 +60,8 @@ PlacedGeometry place_geometry(const GeometryDesc& desc, const Transform& parent_
             if constexpr (std::is_same_v<Kind, MeshDesc>) {
                 return make_triangle_mesh(geometry, parent_from_object, name);
             } else {
+                check_sizes(geometry, name);
                 if constexpr (std::is_same_v<Kind, SphereDesc>) {
-                    if (!(geometry.radius > 0)) throw SceneError(name + ": radius must be positive");
                     if (!as_mesh) return Quadric{QuadricKind::Sphere, geometry.radius, false, parent_from_object};
                 }
                 return make_triangle_mesh(tessellate(geometry), parent_from_object, name);

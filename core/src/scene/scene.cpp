@@ -11,6 +11,7 @@
 #include "scene/interaction.h"
 #include "scene/light_triangles.h"
 #include "scene/material_glow.h"
+#include "scene/material_textures.h"
 
 namespace etendue {
 namespace {
@@ -38,7 +39,9 @@ std::vector<int> mesh_light_shapes(const SceneDescription& description) {
         if (light.shape < 0 || light.shape >= static_cast<int>(light_of_shape.size())) {
             throw SceneError(light.name + ": mesh light has no shape");
         }
-        light_of_shape[static_cast<std::size_t>(light.shape)] = static_cast<int>(i);
+        int& taken = light_of_shape[static_cast<std::size_t>(light.shape)];
+        if (taken >= 0) throw SceneError(light.name + ": another mesh light has the same shape");
+        taken = static_cast<int>(i);
     }
     return light_of_shape;
 }
@@ -47,6 +50,7 @@ std::vector<int> mesh_light_shapes(const SceneDescription& description) {
 
 Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points)
     : textures_(description.textures), materials_(description.materials) {
+    for (const MaterialDesc& material : materials_) check_textures(material, textures_.size());
     place_shapes(description);
     place_instances(description);
     place_light_shapes(description);
@@ -205,8 +209,9 @@ std::optional<SurfaceInteraction> Scene::intersect(const Ray& ray) const {
 bool Scene::visible(const RayEnd& a, const RayEnd& b) const {
     const Vec3 d = b.p - a.p;
     const Vec3 from = offset_origin(a.p, a.p_error, a.n_g, d);
-    // The ray's direction is rounded to float: over its whole length that moves the far end by a few roundings of it.
-    const double slack = max_component(abs(d)) * (4 * kFloatRounding);
+    // Embree knows the far end from the near one: direction, corners relative to the origin, plane and distance, and in
+    // an instance the ray itself, are all rounded to float, by some fifteen roundings of the ray's length together.
+    const double slack = max_component(abs(d)) * (16 * kFloatRounding);
     const Vec3 to = offset_origin(b.p, b.p_error + Vec3(slack, slack, slack), b.n_g, -d);
     return !accel_->occluded({from, to - from}, 1);
 }
