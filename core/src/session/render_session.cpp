@@ -99,7 +99,7 @@ public:
         RenderProgress p;
         {
             const std::lock_guard lock(state_mutex_);
-            p.finished = ended_;
+            p.finished = finished_;
             p.seconds = seconds();
         }
         p.passes_done = passes_done_;
@@ -125,7 +125,7 @@ private:
     /// Needs state_mutex_.
     [[nodiscard]] double seconds() const {
         if (!started_) return 0;
-        return std::chrono::duration<double>((ended_ ? end_ : Clock::now()) - begin_).count();
+        return std::chrono::duration<double>((finished_ ? end_ : Clock::now()) - begin_).count();
     }
 
     void run() {
@@ -138,10 +138,15 @@ private:
         {
             const std::lock_guard lock(state_mutex_);
             failure_ = failure;
-            ended_ = true;
+            finished_ = true;
             end_ = Clock::now();
         }
         if (callback_) callback_(progress());
+        {
+            // Only now: whoever waits may take apart what the callback uses.
+            const std::lock_guard lock(state_mutex_);
+            ended_ = true;
+        }
         ended_signal_.notify_all();
     }
 
@@ -182,7 +187,8 @@ private:
     std::atomic<bool> stop_{false};
     std::atomic<std::int64_t> passes_done_{0};
     bool started_ = false;
-    bool ended_ = false;
+    bool finished_ = false;  ///< rendering is
+    bool ended_ = false;     ///< and the callback knows
     std::exception_ptr failure_;
     Clock::time_point begin_;
     Clock::time_point end_;

@@ -8,6 +8,9 @@
 namespace etendue {
 namespace {
 
+/// Keeps the numbers of a pass's light paths, counted over the largest images, within 64 bits.
+constexpr double kMostLightPathsPerPixel = 1e6;
+
 void require(bool holds, const char* message) {
     if (!holds) throw SettingsError(message);
 }
@@ -41,8 +44,12 @@ void validate_settings(const RenderSettings& settings, const SceneDescription& s
     require(settings.threads >= 0, "the number of threads must not be negative");
     require(settings.light_paths_per_pixel >= 0 && std::isfinite(settings.light_paths_per_pixel),
             "light paths per pixel must not be negative");
+    require(settings.light_paths_per_pixel <= kMostLightPathsPerPixel, "too many light paths per pixel");
     require(!settings.single_strategy || settings.integrator == IntegratorKind::Bdpt,
             "a single strategy needs the bdpt integrator");
+    const Strategy strategy = settings.single_strategy.value_or(Strategy{1, 1});
+    require(strategy.s >= 0 && strategy.t >= 0 && strategy.s + strategy.t >= 2,
+            "a single strategy needs at least two vertices");
 }
 
 PixelWindow render_window(const RenderSettings& settings) {
