@@ -185,3 +185,76 @@ def test_deep_namespace(build: StageBuilder) -> None:
     build.quad(f"{path}/Quad")
     (shape,) = build.read().scene.shapes
     assert shape.parent_from_object[0, 3] == 1
+
+
+# What a schema says of an attribute's type binds no file.
+WRONG_TYPES = """#usda 1.0
+(
+    renderSettingsPrimPath = "/Settings"
+)
+def Camera "Camera"
+{
+    string focalLength = "long"
+}
+def SphereLight "Light"
+{
+    string inputs:intensity = "bright"
+    string inputs:color = "red"
+}
+def Sphere "Ball"
+{
+    string radius = "big"
+    string visibility = "perhaps"
+    string purpose = "none"
+}
+def Mesh "Points"
+{
+    string points = "here"
+    int[] faceVertexCounts = [3]
+    int[] faceVertexIndices = [0, 1, 2]
+}
+def Mesh "Primvars" (
+    prepend apiSchemas = ["MaterialBindingAPI"]
+)
+{
+    rel material:binding = </Material>
+    point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+    int[] faceVertexCounts = [3]
+    int[] faceVertexIndices = [0, 1, 2]
+    float primvars:displayColor = 3
+    string[] primvars:st = ["a"]
+    uniform token subdivisionScheme = "mystery"
+}
+def Material "Material"
+{
+    token outputs:surface.connect = </Material/Surface.outputs:out>
+    def Shader "Surface"
+    {
+        uniform token info:id = "UsdPreviewSurface"
+        string inputs:ior = "glass"
+        string inputs:diffuseColor = "red"
+        token outputs:out
+    }
+}
+def PointInstancer "Instancer"
+{
+    string protoIndices = "all"
+    rel prototypes = </Ball>
+}
+def RenderSettings "Settings"
+{
+    string resolution = "high"
+}
+"""
+
+
+def test_wrong_types_are_skipped(tmp_path: Path) -> None:
+    file = tmp_path / "a.usda"
+    file.write_text(WRONG_TYPES)
+    contents = read_stage(file)
+    assert "/Primvars" in [shape.name for shape in contents.scene.shapes]
+    text = warning_texts(contents)
+    assert "/Primvars: primvar 'st' is ignored: its values are not numbers" in text
+    assert "/Points: the Mesh is skipped: an attribute has a value of a wrong type" in text
+    assert "/Material" in text
+    assert all(str(warning).count("\n") == 0 for warning in contents.warnings)

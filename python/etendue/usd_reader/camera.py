@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pxr import Gf, UsdGeom
+from pxr import Gf, Usd, UsdGeom
 
 from etendue import _core
-from etendue.usd_reader.context import ReadContext, column_matrix
+from etendue.usd_reader.context import ReadContext, SkippingUnusable, column_matrix
 
 
 @dataclass(frozen=True)
@@ -26,26 +26,12 @@ def read_cameras(context: ReadContext, *, depth_of_field: bool) -> Cameras:
         if not prim.IsA(UsdGeom.Camera):
             continue
         path = str(prim.GetPath())
-        schema = UsdGeom.Camera(prim)
-        camera = schema.GetCamera(context.time)
-        if camera.projection != Gf.Camera.Perspective:
+        if UsdGeom.Camera(prim).GetCamera(context.time).projection != Gf.Camera.Perspective:
             orthographic.append(path)
             continue
-        perspective.append(path)
-        context.scene.add_camera(
-            _core.CameraDesc(
-                name=path,
-                world_from_camera=column_matrix(camera.transform),
-                horizontal_aperture=camera.horizontalAperture,
-                vertical_aperture=camera.verticalAperture,
-                horizontal_aperture_offset=camera.horizontalApertureOffset,
-                vertical_aperture_offset=camera.verticalApertureOffset,
-                focal_length=camera.focalLength,
-                f_stop=camera.fStop if depth_of_field else 0.0,
-                focus_distance=camera.focusDistance,
-                exposure_scale=schema.ComputeLinearExposureScale(context.time),
-            )
-        )
+        with SkippingUnusable(context, prim):
+            context.scene.add_camera(_perspective(context, prim, depth_of_field))
+            perspective.append(path)
     if orthographic:
         context.report.warn(
             "orthographic camera",
@@ -53,3 +39,20 @@ def read_cameras(context: ReadContext, *, depth_of_field: bool) -> Cameras:
             "orthographic cameras are not supported and cannot be rendered from",
         )
     return Cameras(tuple(perspective), tuple(orthographic))
+
+
+def _perspective(context: ReadContext, prim: Usd.Prim, depth_of_field: bool) -> _core.CameraDesc:
+    schema = UsdGeom.Camera(prim)
+    camera = schema.GetCamera(context.time)
+    return _core.CameraDesc(
+        name=str(prim.GetPath()),
+        world_from_camera=column_matrix(camera.transform),
+        horizontal_aperture=camera.horizontalAperture,
+        vertical_aperture=camera.verticalAperture,
+        horizontal_aperture_offset=camera.horizontalApertureOffset,
+        vertical_aperture_offset=camera.verticalApertureOffset,
+        focal_length=camera.focalLength,
+        f_stop=camera.fStop if depth_of_field else 0.0,
+        focus_distance=camera.focusDistance,
+        exposure_scale=schema.ComputeLinearExposureScale(context.time),
+    )

@@ -7,10 +7,11 @@ import tempfile
 import weakref
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import TracebackType
 
 import numpy as np
 import numpy.typing as npt
-from pxr import Gf, Usd
+from pxr import Gf, Tf, Usd
 
 from etendue import _core
 from etendue.usd_reader.report import Report
@@ -45,6 +46,33 @@ class ReadContext:
     scene: _core.SceneDescription = field(default_factory=_core.SceneDescription)
     report: Report = field(default_factory=Report)
     scratch: Scratch = field(default_factory=Scratch)
+
+
+class SkippingUnusable:
+    """A block that is left, with a warning, when an attribute of the prim has the wrong type."""
+
+    def __init__(self, context: ReadContext, prim: Usd.Prim) -> None:
+        self._context = context
+        self._prim = prim
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> bool:
+        if not isinstance(error, TypeError | ValueError | Tf.ErrorException):
+            return False
+        path = self._prim.GetPath()
+        self._context.report.warn(
+            f"unusable {path}",
+            path,
+            f"the {self._prim.GetTypeName()} is skipped: an attribute has a value of a wrong type",
+        )
+        return True
 
 
 def column_matrix(matrix: Gf.Matrix4d) -> Matrix:

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 from pxr import Usd, UsdGeom, UsdShade
 
-from etendue.usd_reader.context import ReadContext
+from etendue.usd_reader.context import ReadContext, SkippingUnusable
 from etendue.usd_reader.implicits import read_implicit
 from etendue.usd_reader.materials import BoundMaterial, MaterialReader
 from etendue.usd_reader.mesh import read_mesh
@@ -39,7 +39,9 @@ class GeometryReader:
         """The prim's surface; None (after a warning) when it has none that can be rendered."""
         path = str(prim.GetPath())
         if path not in self._surfaces:
-            self._surfaces[path] = self._read(prim)
+            self._surfaces[path] = None
+            with SkippingUnusable(self._context, prim):
+                self._surfaces[path] = self._read(prim)
         return self._surfaces[path]
 
     def _read(self, prim: Usd.Prim) -> Surface | None:

@@ -11,7 +11,7 @@ from pxr import Usd, UsdShade
 from etendue import _core
 from etendue.usd_reader import open_pbr, preview_surface
 from etendue.usd_reader.colors import to_rendering_space
-from etendue.usd_reader.context import ReadContext
+from etendue.usd_reader.context import ReadContext, SkippingUnusable
 from etendue.usd_reader.networks import shader_id
 from etendue.usd_reader.primvars import read_primvar
 from etendue.usd_reader.shader_inputs import ShaderInputs
@@ -76,7 +76,9 @@ class MaterialReader:
     def _read_once(self, material: UsdShade.Material) -> BoundMaterial | None:
         path = str(material.GetPath())
         if path not in self._materials:
-            self._materials[path] = self._read(material)
+            self._materials[path] = None
+            with SkippingUnusable(self._context, material.GetPrim()):
+                self._materials[path] = self._read(material)
         return self._materials[path]
 
     def _read(self, material: UsdShade.Material) -> BoundMaterial | None:

@@ -26,9 +26,17 @@ def read_primvar(context: ReadContext, prim: Usd.Prim, name: str) -> PrimvarValu
     if not primvar or not primvar.HasValue():
         return None
     value = primvar.Get(context.time)
-    if value is None or isinstance(value, str):
+    if value is None:
         return None
-    values = np.atleast_1d(np.asarray(value, dtype=np.float64))
+    try:
+        values = np.atleast_1d(np.asarray(value, dtype=np.float64))
+    except (TypeError, ValueError):
+        context.report.warn(
+            f"primvar type {prim.GetPath()} {name}",
+            prim.GetPath(),
+            f"primvar '{name}' is ignored: its values are not numbers",
+        )
+        return None
     if not primvar.GetTypeName().isArray:
         values = values[np.newaxis]
     if values.ndim == 1:

@@ -8,7 +8,7 @@ from typing import Any
 from pxr import UsdRender
 
 from etendue import _core
-from etendue.usd_reader.context import ReadContext
+from etendue.usd_reader.context import ReadContext, SkippingUnusable
 
 _CONFORM = {
     "expandAperture": _core.ApertureConform.ExpandAperture,
@@ -45,7 +45,12 @@ def read_settings(context: ReadContext) -> StageSettings:
                 "renderSettingsPrimPath", path or "/", "is not a RenderSettings prim; ignored"
             )
         return StageSettings()
+    with SkippingUnusable(context, settings.GetPrim()):
+        return _settings(context, settings)
+    return StageSettings()
 
+
+def _settings(context: ReadContext, settings: UsdRender.Settings) -> StageSettings:
     prims = [settings.GetPrim(), *_products(context, settings)]
 
     def value(name: str) -> Any:

@@ -10,7 +10,7 @@ from pxr import Usd, UsdGeom
 
 from etendue import _core
 from etendue.usd_reader import instances
-from etendue.usd_reader.context import Matrix, ReadContext, column_matrix
+from etendue.usd_reader.context import Matrix, ReadContext, SkippingUnusable, column_matrix
 from etendue.usd_reader.geometry import GeometryReader, Surface
 from etendue.usd_reader.lights import (
     NO_RESPONSE,
@@ -160,18 +160,21 @@ class StageWalk:
         return content
 
     def _include_point_instances(self, prim: Usd.Prim, place: _Place, content: Content) -> None:
-        for prototype, matrices in instances.point_instances(self._context, prim):
-            _include(
-                content,
-                self._prototype(prototype),
-                str(prim.GetPath()),
-                place.root_from_prim @ matrices,
-            )
+        with SkippingUnusable(self._context, prim):
+            for prototype, matrices in instances.point_instances(self._context, prim):
+                _include(
+                    content,
+                    self._prototype(prototype),
+                    str(prim.GetPath()),
+                    place.root_from_prim @ matrices,
+                )
 
     # ---------------------------------------------------------------------------------- lights
 
     def _add_light(self, prim: Usd.Prim, matrix: Matrix) -> None:
-        light = read_light(self._context, prim)
+        light = None
+        with SkippingUnusable(self._context, prim):
+            light = read_light(self._context, prim)
         if light is None:
             return
         if light.kind == _core.LightKind.Mesh:
