@@ -86,6 +86,25 @@ TEST(SelfIntersection, OffsetsAreSmall) {
     }
 }
 
+// What stands on a sphere of the earth's size, with the origin at its feet, must not be lost in the sphere's roundings.
+TEST(SelfIntersection, PlanetsAreExactNearTheOrigin) {
+    SceneBuilder b;
+    b.sphere({0, 0, -6e6}, 6e6, b.diffuse(0.5));
+    const Scene scene(b.scene(), {});
+    Rng rng(5, 0, 0);
+    for (int i = 0; i < samples(1000); ++i) {
+        const Vec3 target{random_point(rng, 2).x, random_point(rng, 2).y, 0};
+        const auto si = scene.intersect({{0, 0, 2}, normalize(target - Vec3{0, 0, 2})});
+        ASSERT_TRUE(si);
+        EXPECT_LT(max_component(si->p_error), 1e-6);
+        // In double the distance to the centre is known to 1e-9.
+        const Vec3 out = leaving_direction(rng, si->n_g, 1);
+        EXPECT_FALSE(scene.intersect({offset_origin(si->p, si->p_error, si->n_g, out), out}));
+        const Vec3 in = leaving_direction(rng, si->n_g, -1);
+        EXPECT_TRUE(scene.intersect({offset_origin(si->p, si->p_error, si->n_g, in), in}));
+    }
+}
+
 // A disk is seen from both sides: light shapes shine one way and block both.
 TEST(SelfIntersection, DisksAreLeftForGood) {
     Rng rng(4, 0, 0);
