@@ -25,7 +25,7 @@ public:
     ProgressRelay& operator=(const ProgressRelay&) = delete;
     ~ProgressRelay() {
         const py::gil_scoped_acquire acquire;
-        callable_.reset();
+        callable_ = py::object();
         error_.reset();
     }
 
@@ -35,7 +35,7 @@ public:
         const py::gil_scoped_acquire acquire;
         if (error_) return;
         try {
-            (*callable_)(progress);
+            callable_(progress);
         } catch (py::error_already_set& error) {
             error_.emplace(std::move(error));
             if (RenderSession* session = session_.load()) session->cancel();
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    std::optional<py::function> callable_;        // guarded by the GIL
+    py::object callable_;                         // guarded by the GIL
     std::optional<py::error_already_set> error_;  // guarded by the GIL
     std::atomic<RenderSession*> session_{nullptr};
 };
