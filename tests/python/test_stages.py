@@ -2,8 +2,8 @@
 
 Where an integrator cannot see all of a stage, the test says what it looks at instead. Light tracing
 sees nothing that a camera sees directly through or in a smooth surface, so it is held to the rest
-of the picture. Path tracing finds a small lamp behind a smooth surface too rarely for any statistics,
-so that stage's lamp is made larger first.
+of the picture. Path tracing finds a small lamp behind a smooth surface too rarely for any
+statistics, so that stage's lamp is made larger first.
 """
 
 from __future__ import annotations
