@@ -184,7 +184,11 @@ SphereGrid narrow_grid(const Vec3& axis, double half_angle) {
     grid.azimuths = 12;
     grid.one_minus_cos_edges = {0};
     // 1 - cos(a) is about a^2 / 2; neighbouring rings differ by 1.4 in angle.
-    for (double x = half_angle * half_angle / 32; x < 1.4; x *= 2) grid.one_minus_cos_edges.push_back(x);
+    double edge = half_angle * half_angle / 32;
+    while (edge < 1.4) {
+        grid.one_minus_cos_edges.push_back(edge);
+        edge *= 2;
+    }
     grid.one_minus_cos_edges.push_back(2);
     return grid;
 }
