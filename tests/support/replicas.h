@@ -42,8 +42,10 @@ struct Replicas {
 inline constexpr double kFalseAlarm = 1e-5;
 
 /// Welch t-tests of two sets of renders, pixel by pixel, by 4 x 4 blocks, and as a whole; the smallest p-value is held
-/// against kFalseAlarm over the number of tests (Bonferroni: holds for correlated pixels).
-[[nodiscard]] testing::AssertionResult same_picture(const Replicas& a, const Replicas& b);
+/// against kFalseAlarm over the number of tests (Bonferroni: holds for correlated pixels). The standard error of the
+/// difference of the two means must be below `resolution` of the mean: pictures that are noise alone agree about
+/// nothing.
+[[nodiscard]] testing::AssertionResult same_picture(const Replicas& a, const Replicas& b, double resolution = 1);
 
 /// The whole picture's mean against a known value, t-test at kFalseAlarm; its standard error must be below `resolution`
 /// of the value, else nothing was shown.

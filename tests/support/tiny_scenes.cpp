@@ -175,4 +175,26 @@ SceneDescription instanced_box() {
     return b.scene();
 }
 
+SceneDescription pool() {
+    SceneBuilder b;
+    b.open_box(b.diffuse(0.6));
+    DielectricMaterial water;
+    water.ior = 1.333;
+    b.quad({-1, -0.4, 1}, {2, 0, 0}, {0, 0, -2}, b.material(water));
+    b.rect_light({0.1, 0.9, 0}, {0, -1, 0}, 0.25, 0.25, 4);
+    b.camera({0.1, -0.4, 3.4}, {0, -0.8, 0}, 26);
+    return b.scene();
+}
+
+SceneDescription coordinate_planes() {
+    SceneBuilder b;
+    const int glow = b.material(DiffuseMaterial{}, {1, 1, 1});
+    b.quad({-1, -1, 0}, {0.8, 0, 0}, {0, 0.8, 0}, glow);
+    b.quad({-2, -1, 1}, {0, 0, -2}, {0, 2, 0}, b.diffuse(0.5));
+    b.quad({-2, -1, 2}, {4, 0, 0}, {0, 0, -4}, b.diffuse(0.5));
+    b.rect_light({0, 0, 0.5}, {0, -1, 0}, 0.6, 0.6, 3);
+    b.camera({0.5, 0.3, 4}, {0, -0.4, 0}, 40);
+    return b.scene();
+}
+
 }  // namespace etendue::test

@@ -4,7 +4,7 @@
 
 namespace etendue::test {
 
-/// Small scenes that exercise one kind of transport each; all but the pool have area lights that paths can find by
+/// Small scenes that exercise one kind of transport each; all but delta_lights have lights that paths can find by
 /// chance, so that camera strategies alone see everything.
 [[nodiscard]] SceneDescription diffuse_box();         ///< lamp under the ceiling, a block
 [[nodiscard]] SceneDescription indirect_box();        ///< lamp turned to the ceiling
@@ -18,5 +18,7 @@ namespace etendue::test {
 [[nodiscard]] SceneDescription delta_lights();        ///< point and delta sun
 [[nodiscard]] SceneDescription lens_box();            ///< wide thin lens before the diffuse box
 [[nodiscard]] SceneDescription instanced_box();       ///< mirrored, scaled instances, some glowing
+[[nodiscard]] SceneDescription pool();                ///< small lamp over water, seen from the waterline
+[[nodiscard]] SceneDescription coordinate_planes();   ///< lights that lie exactly in the planes z = 0 and y = 0
 
 }  // namespace etendue::test

@@ -10,9 +10,9 @@ namespace etendue {
 /// y0 of a path. Infinite lights have no position: `p` is then the unit direction from the scene towards the light.
 struct LightPoint {
     Vec3 p;
-    Vec3 n;          ///< geometric normal of the emitting side; -p for infinite lights; unused for points
-    Vec2 st;         ///< texture coordinates (textured emission)
-    Vec3 p_error;    ///< as SurfaceInteraction::p_error
+    Vec3 n;        ///< geometric normal of the emitting side; -p for infinite lights; unused for points
+    Vec2 st;       ///< texture coordinates (textured emission)
+    Vec3 p_error;  ///< as SurfaceInteraction::p_error
 };
 
 /// A point on the light chosen with a receiver in mind (strategies s = 1).

@@ -47,7 +47,8 @@ AreaLight::PointSample MeshLight::sample_point(const Vec2& u) const {
     y.p = t.p[0] * b0 + t.p[1] * b.x + t.p[2] * b.y;
     y.n = normalize(area_vector(t));
     y.st = {t.st[0].x * b0 + t.st[1].x * b.x + t.st[2].x * b.y, t.st[0].y * b0 + t.st[1].y * b.x + t.st[2].y * b.y};
-    y.p_error = float_point_error(max(max(abs(t.p[0]), abs(t.p[1])), abs(t.p[2])));
+    const Vec3 edges = max(max(abs(t.p[1] - t.p[0]), abs(t.p[2] - t.p[1])), abs(t.p[0] - t.p[2]));
+    y.p_error = flat_point_error(max(max(abs(t.p[0]), abs(t.p[1])), abs(t.p[2])), max_component(edges));
     return {y, pdf_point(y)};
 }
 

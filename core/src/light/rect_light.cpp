@@ -20,7 +20,8 @@ AreaLight::PointSample RectLight::sample_point(const Vec2& u) const {
     LightPoint y;
     y.p = world_from_light_.point(p);
     y.n = n_;
-    y.p_error = float_point_error(world_from_light_.magnitude(p));
+    y.p_error = flat_point_error(world_from_light_.magnitude(p),
+                                 max_component(world_from_light_.vector_magnitude({width_, height_, 0})));
     return {y, 1 / area()};
 }
 
