@@ -47,7 +47,7 @@ class RenderOptions(TypedDict, total=False):
     heuristic: "power" (default) or "balance", for the weights of bdpt.
     strategies: the names of STRATEGIES that take part; default all.
     single_strategy: (s, t), s light and t camera vertices: shows this strategy alone, unweighted.
-    light_paths: light subpaths per pixel and pass. Default 1.
+    light_paths: light subpaths per pixel and pass. Default 2.
     roulette_depth: bounces before Russian roulette; negative: never.
     adjoint: the names of ADJOINT corrections that are made; default both. Leaving one out is
         wrong on purpose, for validation.

@@ -72,7 +72,7 @@ struct RenderSettings {
     MisHeuristic heuristic = MisHeuristic::Power;
     StrategySet strategies;                   ///< bdpt
     std::optional<Strategy> single_strategy;  ///< bdpt: shows only this one, unweighted (C* of theory.md §2)
-    double light_paths_per_pixel = 1;         ///< light subpaths traced per pixel and pass (bdpt, light)
+    double light_paths_per_pixel = 2;         ///< light subpaths traced per pixel and pass (bdpt, light)
     int roulette_depth = 4;                   ///< bounces before Russian roulette may end a path; negative: never
     AdjointPolicy adjoint;
 
