@@ -50,6 +50,11 @@ void BdptIntegrator::render(const WorkUnit& unit, FilmTile& tile) const {
     const std::uint64_t pixels = static_cast<std::uint64_t>(unit.tile.x1 - unit.tile.x0) *
                                  static_cast<std::uint64_t>(unit.tile.y1 - unit.tile.y0);
     const std::uint64_t paths = unit.light_end - unit.light_begin;
+    if (paths == 0 && active_.connection) {
+        // Fewer light paths than units: this one's camera paths are joined to the path that another unit splats.
+        Rng rng = light_stream(context_.settings.seed, unit.pass, unit.light_begin);
+        tracer_.trace_light(rng, light, tile.rays);
+    }
     std::uint64_t pixel = 0;
     std::uint64_t traced = 0;
     for (int y = unit.tile.y0; y < unit.tile.y1; ++y) {
