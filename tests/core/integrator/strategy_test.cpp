@@ -283,6 +283,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Subsets,
 TEST(LightPaths, AnyNumberGivesTheSamePicture) {
     const SceneDescription scene = lens_box();
     RenderSettings settings = shallow_settings(IntegratorKind::Bdpt, 64);
+    settings.light_paths_per_pixel = 1;
     const Replicas one = render_replicas(scene, settings, kReplicas, 1);
     std::uint64_t stream = 2;
     for (MisHeuristic heuristic : {MisHeuristic::Balance, MisHeuristic::Power}) {
