@@ -70,8 +70,7 @@ RTCGeometry make_geometry(RTCDevice device, const Quadric& quadric) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, 1);
     rtcSetGeometryUserData(geometry, const_cast<Quadric*>(&quadric));  // NOLINT: Embree's pointer is not const
-    rtcSetGeometryBoundsFunction(
-        geometry, [](const RTCBoundsFunctionArguments* a) { quadric_bounds(a); }, nullptr);
+    rtcSetGeometryBoundsFunction(geometry, [](const RTCBoundsFunctionArguments* a) { quadric_bounds(a); }, nullptr);
     rtcSetGeometryIntersectFunction(geometry, quadric_intersect);
     rtcSetGeometryOccludedFunction(geometry, quadric_occluded);
     return geometry;

@@ -11,19 +11,19 @@ namespace etendue {
 
 /// The first ray of a camera subpath.
 struct CameraRay {
-    Vec3 origin;           ///< z0, on the lens
-    Vec3 direction;        ///< unit, into the scene
-    double weight = 1;     ///< We |cos| / (pdf_lens pdf_dir): the exposure scale
-    double pdf_lens = 1;   ///< per area; 1 for a pinhole
-    double pdf_dir = 0;    ///< per solid angle, for a raster density of one sample per pixel area
+    Vec3 origin;          ///< z0, on the lens
+    Vec3 direction;       ///< unit, into the scene
+    double weight = 1;    ///< We |cos| / (pdf_lens pdf_dir): the exposure scale
+    double pdf_lens = 1;  ///< per area; 1 for a pinhole
+    double pdf_dir = 0;   ///< per solid angle, for a raster density of one sample per pixel area
 };
 
 /// A point on the lens joined to a point of the scene (strategies t = 1).
 struct LensSample {
-    Vec3 origin;       ///< z0
-    Vec3 direction;    ///< unit, from z0 to the point
+    Vec3 origin;     ///< z0
+    Vec3 direction;  ///< unit, from z0 to the point
     double distance = 0;
-    Vec2 raster;       ///< continuous pixel coordinates, y down; may lie outside the image
+    Vec2 raster;        ///< continuous pixel coordinates, y down; may lie outside the image
     double weight = 0;  ///< We |cos z0| / (d^2 pdf_lens)
     double pdf_lens = 1;
     double pdf_dir = 0;  ///< as CameraRay::pdf_dir
@@ -80,10 +80,10 @@ private:
     Vec3 right_;
     Vec3 up_;
     Vec3 forward_;
-    double lens_radius_ = 0;      ///< scene units
-    double focus_distance_ = 1;   ///< scene units, along the axis
+    double lens_radius_ = 0;     ///< scene units
+    double focus_distance_ = 1;  ///< scene units, along the axis
     double exposure_scale_ = 1;
-    double plane_left_ = 0;       ///< image window on the plane at distance 1
+    double plane_left_ = 0;  ///< image window on the plane at distance 1
     double plane_top_ = 0;
     double plane_per_pixel_x_ = 0;
     double plane_per_pixel_y_ = 0;

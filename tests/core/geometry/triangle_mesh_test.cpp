@@ -52,21 +52,9 @@ TEST(TriangleMesh, NamesThePrimOfEveryBadInput) {
         {"negative index", [](MeshDesc& m) { m.face_vertex_indices[3] = -1; }, "holds -1"},
         {"NaN point", [=](MeshDesc& m) { m.points[2][1] = nan; }, "points[2]"},
         {"infinite point", [=](MeshDesc& m) { m.points[5][0] = -inf; }, "points[5]"},
-        {"NaN normal",
-         [=](MeshDesc& m) {
-             m.normals.assign(6, {0, nan, 1});
-         },
-         "normals[0]"},
-        {"infinite st",
-         [=](MeshDesc& m) {
-             m.st.assign(6, {inf, 0});
-         },
-         "texture coordinates[0]"},
-        {"vertex normals short",
-         [](MeshDesc& m) {
-             m.normals.assign(5, {0, 0, 1});
-         },
-         "normals has 5"},
+        {"NaN normal", [=](MeshDesc& m) { m.normals.assign(6, {0, nan, 1}); }, "normals[0]"},
+        {"infinite st", [=](MeshDesc& m) { m.st.assign(6, {inf, 0}); }, "texture coordinates[0]"},
+        {"vertex normals short", [](MeshDesc& m) { m.normals.assign(5, {0, 0, 1}); }, "normals has 5"},
         {"uniform normals",
          [](MeshDesc& m) {
              m.normals.assign(6, {0, 0, 1});

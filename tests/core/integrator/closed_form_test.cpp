@@ -190,37 +190,15 @@ const Lamp kLamps[]{
     {"rect", [] { return overhead(LightKind::Rect); }, under_rectangle(3, 1.2, 1.6, kHeight)},
     {"disk", [] { return overhead(LightKind::Disk); }, kPi * 3 * 0.49 / (0.49 + squared(kHeight))},
     {"sphere", [] { return overhead(LightKind::Sphere); }, kPi * 3 * 0.49 / squared(kHeight)},
-    {"point",
-     [] {
-         return point_light({0, kHeight, 0}, 40);
-     },
-     10 / squared(kHeight)},
-    {"oblique_point",
-     [] {
-         return point_light({kHeight, kHeight, 0}, 40);
-     },
+    {"point", [] { return point_light({0, kHeight, 0}, 40); }, 10 / squared(kHeight)},
+    {"oblique_point", [] { return point_light({kHeight, kHeight, 0}, 40); },
      10 / squared(kHeight) / 2 * std::sqrt(0.5)},
     {"dome", [] { return dome(0.8); }, kPi * 0.8},
-    {"default_sun",
-     [] {
-         return sun({0, 1, 0}, 0.53, 50000);
-     },
-     50000 * kPi* squared(std::sin(0.265 * kRadians))},
-    {"oblique_sun",
-     [] {
-         return sun({1, 1, 0}, 0.53, 50000);
-     },
-     50000 * kPi* squared(std::sin(0.265 * kRadians)) * std::sqrt(0.5)},
-    {"broad_sun",
-     [] {
-         return sun({0.3, 1, 0}, 50, 2);
-     },
-     2 * kPi* squared(std::sin(25 * kRadians)) / std::sqrt(1.09)},
-    {"delta_sun",
-     [] {
-         return sun({std::sqrt(3.0), 1, 0}, 0, 7);
-     },
-     3.5},
+    {"default_sun", [] { return sun({0, 1, 0}, 0.53, 50000); }, 50000 * kPi * squared(std::sin(0.265 * kRadians))},
+    {"oblique_sun", [] { return sun({1, 1, 0}, 0.53, 50000); },
+     50000 * kPi * squared(std::sin(0.265 * kRadians)) * std::sqrt(0.5)},
+    {"broad_sun", [] { return sun({0.3, 1, 0}, 50, 2); }, 2 * kPi * squared(std::sin(25 * kRadians)) / std::sqrt(1.09)},
+    {"delta_sun", [] { return sun({std::sqrt(3.0), 1, 0}, 0, 7); }, 3.5},
     {"normalized_sun",
      [] {
          LightDesc light = sun({0, 1, 0}, 2, 7);

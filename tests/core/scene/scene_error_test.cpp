@@ -61,10 +61,7 @@ TEST(SceneError, NamesThePrimOfBadIndices) {
         {[](auto& s) { s.shapes[0].geometry = -1; }, "/shape_0", "geometry index -1"},
         {[](auto& s) { s.shapes[0].materials = {}; }, "/shape_0", "no material"},
         {[](auto& s) { s.shapes[0].materials = {1}; }, "/shape_0", "material index 1"},
-        {[](auto& s) {
-             s.shapes[0].materials = {0, -1};
-         },
-         "/shape_0", "material index -1"},
+        {[](auto& s) { s.shapes[0].materials = {0, -1}; }, "/shape_0", "material index -1"},
         {[](auto& s) { s.groups[0].shapes[0].geometry = 9; }, "/group/shape", "geometry index 9"},
         {[](auto& s) { s.groups[0].shapes[0].materials = {3}; }, "/group/shape", "material index 3"},
         {[](auto& s) { s.instances[0].group = 1; }, "/instance", "group index 1"},
@@ -85,10 +82,7 @@ TEST(SceneError, NamesTheMaterialOfBadTextureIndices) {
     expect_complaints({
         {[](auto& s) { s.materials[0].normal_texture = 0; }, "/material_0", "texture index 0"},
         {[](auto& s) { s.materials[0].emission.texture = 4; }, "/material_0", "texture index 4"},
-        {[](auto& s) {
-             s.materials[0].model = DiffuseMaterial{{{1, 1, 1}, 1}};
-         },
-         "/material_0", "texture index 1"},
+        {[](auto& s) { s.materials[0].model = DiffuseMaterial{{{1, 1, 1}, 1}}; }, "/material_0", "texture index 1"},
         {[](auto& s) {
              ConductorMaterial m;
              m.roughness.texture = 2;

@@ -37,22 +37,10 @@ TEST(Settings, AreCheckedOneByOne) {
         {[](auto& s) { s.camera = -1; }, "camera index -1"},
         {[](auto& s) { s.width = 0; }, "one pixel"},
         {[](auto& s) { s.height = -3; }, "one pixel"},
-        {[](auto& s) {
-             s.crop = {0, 0, 9, 8};
-         },
-         "beyond the image"},
-        {[](auto& s) {
-             s.crop = {0, -1, 8, 8};
-         },
-         "beyond the image"},
-        {[](auto& s) {
-             s.crop = {3, 3, 3, 4};
-         },
-         "crop is empty"},
-        {[](auto& s) {
-             s.crop = {3, 5, 4, 4};
-         },
-         "crop is empty"},
+        {[](auto& s) { s.crop = {0, 0, 9, 8}; }, "beyond the image"},
+        {[](auto& s) { s.crop = {0, -1, 8, 8}; }, "beyond the image"},
+        {[](auto& s) { s.crop = {3, 3, 3, 4}; }, "crop is empty"},
+        {[](auto& s) { s.crop = {3, 5, 4, 4}; }, "crop is empty"},
         {[](auto& s) { s.samples_per_pixel = -1; }, "samples per pixel"},
         {[](auto& s) { s.samples_per_pixel = 0; }, "or a time limit"},
         {[](auto& s) { s.time_limit = -1; }, "time limit"},
@@ -71,14 +59,8 @@ TEST(Settings, AreCheckedOneByOne) {
              s.single_strategy = {1, 2};
          },
          "bdpt"},
-        {[](auto& s) {
-             s.single_strategy = {-1, 4};
-         },
-         "strategy"},
-        {[](auto& s) {
-             s.single_strategy = {0, 1};
-         },
-         "strategy"},
+        {[](auto& s) { s.single_strategy = {-1, 4}; }, "strategy"},
+        {[](auto& s) { s.single_strategy = {0, 1}; }, "strategy"},
     };
     const RenderSettings good = small_settings(IntegratorKind::Bdpt, 8, 1);
     ASSERT_EQ(error_of<Error>(diffuse_box(), good), "");
