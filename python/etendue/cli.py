@@ -20,6 +20,8 @@ from etendue.inspection_table import inspection_table
 from etendue.progress import duration, progress_display
 from etendue.settings import AOVS, DEFAULT_SAMPLES, FILTERS, INTEGRATORS, RenderOptions
 
+CORE_DEFAULTS = _core.RenderSettings()
+
 app = typer.Typer(
     name="etendue",
     help="A bidirectional path tracer for USD.",
@@ -125,12 +127,14 @@ def render(
         float | None, typer.Option(help="Seconds; whichever limit comes first ends the render.")
     ] = None,
     integrator: Annotated[str, typer.Option(help="|".join(INTEGRATORS))] = "bdpt",
-    max_depth: Annotated[int, typer.Option(help="Bounces; 0 shows emission only.")] = 16,
+    max_depth: Annotated[
+        int, typer.Option(help="Bounces; 0 shows emission only.")
+    ] = CORE_DEFAULTS.max_depth,
     seed: Annotated[int, typer.Option(help="The same seed gives the same image.")] = 0,
     threads: Annotated[int, typer.Option(help="0: all.")] = 0,
     light_paths: Annotated[
         float, typer.Option(help="Light subpaths per pixel and pass (bdpt, light).")
-    ] = 1.0,
+    ] = CORE_DEFAULTS.light_paths_per_pixel,
     pixel_filter: Annotated[str, typer.Option("--filter", help="|".join(FILTERS))] = "box",
     ocio: Annotated[
         str, typer.Option(metavar="FILE", help="OpenColorIO config; default: $OCIO, else our own.")
@@ -149,7 +153,7 @@ def render(
     kind = _core.image_file_kind(output)
     _core.check_writable(output)
     if kind == _core.ImageFileKind.Display:
-        _check_display(ocio, display, view, bits)
+        _check_display(output, ocio, display, view, bits)
     options = RenderOptions(
         resolution=_numbers("resolution", resolution, "x", 2),
         crop=_numbers("crop", crop, ",", 4),
@@ -225,10 +229,12 @@ def _render(
         return session.run(show)
 
 
-def _check_display(ocio: str, display: str, view: str, bits: int) -> None:
+def _check_display(output: str, ocio: str, display: str, view: str, bits: int) -> None:
     """Raises what saving would raise, before the render."""
     if bits not in (8, 16):
         raise typer.BadParameter("--bits is 8 or 16")
+    if bits == 16 and output.lower().endswith((".jpg", ".jpeg")):
+        raise typer.BadParameter(f"'{output}': jpeg holds 8 bits only")
     _core.ColorConfig(ocio).apply(np.zeros((1, 3), np.float32), display, view)
 
 

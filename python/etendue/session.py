@@ -93,6 +93,9 @@ class Session:
             self.cancel()
             self.wait()
             raise Interrupted(self.snapshot()) from None
+        except BaseException:
+            self.cancel()
+            raise
         return self.snapshot()
 
     @property

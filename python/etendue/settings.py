@@ -44,7 +44,7 @@ class RenderOptions(TypedDict, total=False):
     threads: 0 (default) means all.
     aovs: names of AOVS; default color and alpha. Color is always there.
     filter: "box" (default), "triangle" or "gaussian"; filter_radius in pixels.
-    heuristic: "power" (default) or "balance", for the weights of bdpt.
+    heuristic: "power" (default) or "balance", for the weights of path and bdpt.
     strategies: the names of STRATEGIES that take part; default all.
     single_strategy: (s, t), s light and t camera vertices: shows this strategy alone, unweighted.
     light_paths: light subpaths per pixel and pass. Default 2.

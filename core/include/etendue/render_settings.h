@@ -70,7 +70,7 @@ struct RenderSettings {
 
     PixelFilter filter;
     MisHeuristic heuristic = MisHeuristic::Power;
-    StrategySet strategies;                   ///< bdpt
+    StrategySet strategies;                   ///< bdpt; path heeds emission_hit and direct_light
     std::optional<Strategy> single_strategy;  ///< bdpt: shows only this one, unweighted (C* of theory.md §2)
     double light_paths_per_pixel = 2;         ///< light subpaths traced per pixel and pass (bdpt, light)
     int roulette_depth = 4;                   ///< bounces before Russian roulette may end a path; negative: never

@@ -33,9 +33,8 @@ struct LayeredParameters {
 ///   coated  GGX reflection with Fresnel factor F over a diffuse base. Both sides alike. What the coat does not reflect
 ///           reaches the base: f = rho / pi T(wo) T(wi) / (1 - E_mean) with T = 1 - E, E the coat's directional albedo
 ///           (Kelemen and Szirmay-Kalos 2001). Symmetric, and its albedo is rho T(wo) or less.
-///   veil    UsdPreviewSurface's transparent part: the same coat outside, smooth refraction below. It transmits T of
-///   the
-///           outer cosine, from both sides; from inside, the rest is reflected by a mirror.
+///   veil    UsdPreviewSurface's transparent part: the same coat outside, smooth refraction below. It transmits T at
+///           the outer cosine, from both sides; from inside, the rest is reflected by a mirror.
 ///   glass   a Dielectric.
 ///
 /// A lobe's probability depends on wo alone (and is computed for wi where the reverse density is asked for).

@@ -4,14 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "film/asks_for.h"
+
 namespace etendue {
 namespace {
-
-bool asks_for(const RenderSettings& settings, std::initializer_list<Aov> aovs) {
-    return std::any_of(aovs.begin(), aovs.end(), [&](Aov aov) {
-        return std::find(settings.aovs.begin(), settings.aovs.end(), aov) != settings.aovs.end();
-    });
-}
 
 void store(std::span<float> out, std::size_t pixel, double value) { out[pixel] = static_cast<float>(value); }
 

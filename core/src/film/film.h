@@ -23,8 +23,6 @@ public:
     void end_pass();
 
     [[nodiscard]] RenderedImage image() const;
-    [[nodiscard]] const PixelWindow& window() const { return window_; }
-    [[nodiscard]] std::int64_t passes() const { return statistics_.passes; }
 
 private:
     /// First-hit sums; kept only when an AOV asks for them.

@@ -10,11 +10,11 @@ namespace etendue {
 enum class QuadricKind { Sphere, Disk };
 
 /// An exact sphere about the origin, or a disk in the xy plane, under an affine transform (so also ellipsoids and
-/// ellipses). A disk's outward normal is object space -z when `flipped`, else +z.
+/// ellipses). The outward normal leaves the sphere, and is object space +z for a disk; `flipped` turns it round.
 struct Quadric {
     QuadricKind kind = QuadricKind::Sphere;
     double radius = 1;
-    bool flipped = false;  ///< normal points the other way: left-handed orientation, or a light that shines along -z
+    bool flipped = false;  ///< a disk light shines along -z
     Transform parent_from_object;
 
     /// Nearest t in (t_near, t_far) along origin + t direction (parent space).

@@ -18,7 +18,7 @@ inline void record_surface(const RenderContext& context, const std::optional<Sur
     if (context.wants_albedo) sample.albedo = context.scene.albedo(*si);
 }
 
-/// Number of a pixel in the full image: crops draw the same random numbers.
+/// Number of a pixel in the full image: a crop's camera samples draw the same random numbers.
 inline std::uint64_t pixel_number(const RenderContext& context, int x, int y) {
     return static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(context.settings.width) +
            static_cast<std::uint64_t>(x);

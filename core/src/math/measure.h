@@ -17,11 +17,4 @@ inline double area_per_solid_angle(const Vec3& from, const Vec3& to, const Vec3&
     return abs_dot(d, n_g_to) / (d2 * std::sqrt(d2));
 }
 
-/// G without visibility (theory.md §1).
-inline double geometry_term(const Vec3& a, const Vec3& n_g_a, const Vec3& b, const Vec3& n_g_b) {
-    const Vec3 d = b - a;
-    const double d2 = length_squared(d);
-    return abs_dot(d, n_g_a) * abs_dot(d, n_g_b) / (d2 * d2);
-}
-
 }  // namespace etendue

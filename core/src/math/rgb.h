@@ -49,7 +49,5 @@ constexpr Rgb lerp(double t, const Rgb& a, const Rgb& b) { return a * (1 - t) + 
 
 constexpr bool is_black(const Rgb& c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 inline double max_component(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
-/// Rec.709 luminance.
-constexpr double luminance(const Rgb& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
 }  // namespace etendue

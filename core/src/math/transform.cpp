@@ -32,10 +32,6 @@ Transform::Transform(const Matrix4& matrix) {
 
 Transform Transform::inverse() const { return {inv_, m_, -apply(inv_, translation_), 1 / determinant_}; }
 
-bool Transform::is_identity() const {
-    return m_ == Rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}} && translation_ == Vec3{};
-}
-
 Vec3 Transform::magnitude(const Vec3& p) const { return vector_magnitude(p) + abs(translation_); }
 
 Vec3 Transform::vector_magnitude(const Vec3& v) const {

@@ -26,7 +26,6 @@ public:
     [[nodiscard]] Transform inverse() const;
     [[nodiscard]] bool flips_handedness() const { return determinant_ < 0; }
     [[nodiscard]] double determinant() const { return determinant_; }
-    [[nodiscard]] bool is_identity() const;
     [[nodiscard]] const Vec3& translation() const { return translation_; }
     /// Sum over |M_ij| |p_j| + |t_i|: bounds the rounding error of a transformed point, per axis.
     [[nodiscard]] Vec3 magnitude(const Vec3& p) const;

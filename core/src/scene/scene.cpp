@@ -150,13 +150,10 @@ std::vector<int> Scene::make_slot_lights(const PlacedShape& shape, const Transfo
         if (!is_emissive(material)) continue;
         std::vector<LightTriangle> triangles = light_triangles(*mesh, static_cast<int>(slot), world_from_parent);
         if (!(MeshLight::world_area(triangles) > 0)) continue;
-        if (material.emission.texture >= 0) {
-            lights[slot] = add_light(std::make_unique<MeshLight>(std::move(triangles), Rgb(1),
-                                                                 std::make_shared<MaterialGlow>(material, textures_)));
-        } else {
-            lights[slot] =
-                add_light(std::make_unique<MeshLight>(std::move(triangles), Rgb(material.emission.value), nullptr));
-        }
+        const bool textured = material.emission.texture >= 0;
+        lights[slot] = add_light(std::make_unique<MeshLight>(
+            std::move(triangles), textured ? Rgb(1) : material_emission(material, textures_, {}),
+            textured ? std::make_shared<MaterialGlow>(material, textures_) : nullptr));
     }
     return lights;
 }

@@ -34,6 +34,9 @@ public:
     /// `lens_points` are positions that light must be able to reach besides the geometry (cameras with a lens). Throws
     /// SceneError or FileError naming the prim or file.
     Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points);
+    // Lights refer to the textures and materials in here.
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
 
     [[nodiscard]] std::optional<SurfaceInteraction> intersect(const Ray& ray) const;
     [[nodiscard]] bool visible(const RayEnd& a, const RayEnd& b) const;

@@ -11,6 +11,7 @@
 
 #include <tbb/task_arena.h>
 
+#include "film/asks_for.h"
 #include "film/film.h"
 #include "integrator/integrator.h"
 #include "session/pass.h"
@@ -20,12 +21,6 @@ namespace etendue {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-bool asks_for(const RenderSettings& settings, std::initializer_list<Aov> aovs) {
-    return std::any_of(aovs.begin(), aovs.end(), [&](Aov aov) {
-        return std::find(settings.aovs.begin(), settings.aovs.end(), aov) != settings.aovs.end();
-    });
-}
 
 Camera make_camera(const SceneDescription& scene, const RenderSettings& settings) {
     validate_settings(settings, scene);
@@ -76,9 +71,9 @@ public:
     void start() {
         const std::lock_guard lock(state_mutex_);
         if (started_) return;
-        started_ = true;
         begin_ = Clock::now();
-        thread_ = std::thread([this] { run(); });
+        thread_ = std::thread([this] { run(); });  // waits for the lock before it ends
+        started_ = true;
     }
 
     void cancel() noexcept { stop_ = true; }
@@ -137,21 +132,25 @@ private:
         }
         {
             const std::lock_guard lock(state_mutex_);
-            failure_ = failure;
             finished_ = true;
             end_ = Clock::now();
         }
-        if (callback_) callback_(progress());
+        try {
+            if (callback_) callback_(progress());
+        } catch (...) {
+            failure = std::current_exception();
+        }
         {
             // Only now: whoever waits may take apart what the callback uses.
             const std::lock_guard lock(state_mutex_);
+            failure_ = failure;
             ended_ = true;
         }
         ended_signal_.notify_all();
     }
 
     void render_passes() {
-        for (int pass = 0; settings_.samples_per_pixel == 0 || pass < settings_.samples_per_pixel; ++pass) {
+        for (std::int64_t pass = 0; settings_.samples_per_pixel == 0 || pass < settings_.samples_per_pixel; ++pass) {
             if (!runner_.run(static_cast<std::uint64_t>(pass), stop_, [this](const FilmTile& tile) { take(tile); })) {
                 return;
             }

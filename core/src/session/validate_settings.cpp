@@ -10,6 +10,8 @@ namespace {
 
 /// Keeps the numbers of a pass's light paths, counted over the largest images, within 64 bits.
 constexpr double kMostLightPathsPerPixel = 1e6;
+constexpr int kMostBounces = 1'000'000;
+constexpr double kLargestFilter = 1000;  // pixels
 
 void require(bool holds, const char* message) {
     if (!holds) throw SettingsError(message);
@@ -41,6 +43,13 @@ void validate_settings(const RenderSettings& settings, const SceneDescription& s
     require(settings.samples_per_pixel > 0 || settings.time_limit > 0,
             "a render needs a number of samples per pixel or a time limit");
     require(settings.max_depth >= 0, "the maximum depth must not be negative");
+    require(settings.max_depth <= kMostBounces, "the maximum depth is too large");
+    require(settings.filter.radius <= kLargestFilter, "the filter radius is too large");
+    require(settings.integrator == IntegratorKind::Path || settings.light_paths_per_pixel > 0 ||
+                settings.strategies.emission_hit || settings.strategies.direct_light,
+            "without light paths only the strategies of the camera remain, and they are switched off");
+    require(settings.integrator != IntegratorKind::Light || settings.light_paths_per_pixel > 0,
+            "the light integrator needs light paths");
     require(settings.threads >= 0, "the number of threads must not be negative");
     require(settings.light_paths_per_pixel >= 0 && std::isfinite(settings.light_paths_per_pixel),
             "light paths per pixel must not be negative");

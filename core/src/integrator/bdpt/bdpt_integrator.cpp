@@ -95,13 +95,25 @@ void BdptIntegrator::sample_camera(int x, int y, std::uint64_t pass, const Light
     if (active_.needs_camera_paths() || context_.wants_surface) {
         Rng rng = camera_stream(context_.settings.seed, pass, pixel_number(context_, x, y));
         const Vec2 offset = context_.filter.sample(rng.next_2d());
-        tracer_.trace_camera({x + 0.5 + offset.x, y + 0.5 + offset.y}, rng, camera, tile.rays);
+        const Vec2 raster{x + 0.5 + offset.x, y + 0.5 + offset.y};
+        ++tile.camera_paths;
+        if (!active_.needs_camera_paths()) {
+            record_surface(context_, first_surface(raster, rng, tile), sample);
+            tile.samples.push_back(sample);
+            return;
+        }
+        tracer_.trace_camera(raster, rng, camera, tile.rays);
         const auto first = camera.vertices.empty() ? std::nullopt : std::optional(camera.vertices.front().si);
         record_surface(context_, first, sample);
         add_camera_strategies(camera, light, rng, sample, tile);
-        ++tile.camera_paths;
     }
     tile.samples.push_back(sample);
+}
+
+std::optional<SurfaceInteraction> BdptIntegrator::first_surface(const Vec2& raster, Rng& rng, FilmTile& tile) const {
+    const CameraRay ray = context_.camera.generate_ray(raster, rng.next_2d());
+    ++tile.rays;
+    return context_.scene.intersect({offset_origin(ray.origin, {}, {}, ray.direction), ray.direction});
 }
 
 void BdptIntegrator::add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Rng& rng,

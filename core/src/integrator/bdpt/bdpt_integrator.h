@@ -12,6 +12,9 @@ namespace etendue {
 class BdptIntegrator final : public Integrator {
 public:
     BdptIntegrator(const RenderContext& context, const StrategySet& strategies);
+    // The tracer and the connector refer to members.
+    BdptIntegrator(const BdptIntegrator&) = delete;
+    BdptIntegrator& operator=(const BdptIntegrator&) = delete;
 
     void render(const WorkUnit& unit, FilmTile& tile) const override;
     [[nodiscard]] std::uint64_t light_paths_per_pass() const override;
@@ -22,6 +25,7 @@ private:
     void splat_light_path(const LightSubpath& path, Rng& rng, FilmTile& tile) const;
     void sample_camera(int x, int y, std::uint64_t pass, const LightSubpath& light, CameraSubpath& camera,
                        FilmTile& tile) const;
+    [[nodiscard]] std::optional<SurfaceInteraction> first_surface(const Vec2& raster, Rng& rng, FilmTile& tile) const;
     void add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Rng& rng, PixelSample& sample,
                                FilmTile& tile) const;
     /// The contribution as the settings ask for it: weighted, or one strategy alone, unweighted.

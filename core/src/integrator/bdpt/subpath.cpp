@@ -78,7 +78,7 @@ std::optional<SubpathTracer::Walk> SubpathTracer::start_light(Rng& rng, LightSub
     if (!choice) return {};
     const Light& light = context_.scene.light(choice->light);
     const EmissionSample emission = light.sample_emission(u_point, u_dir);
-    path.start = {choice->light, emission.y, choice->pmf, choice->pmf * emission.pdf.pdf_point};
+    path.start = {choice->light, emission.y, choice->pmf * emission.pdf.pdf_point};
     const Rgb beta = emission.weight / choice->pmf;
     if (is_black(beta)) return {};
     Walk walk{.ray = {offset_origin(emission.origin, emission.y.p_error, light.infinite() ? Vec3{} : emission.y.n,
@@ -117,7 +117,7 @@ void SubpathTracer::add_crossing(const Walk& walk, double t_max, LightSubpath& p
     if (walk.from_infinity) m = {abs_dot(walk.ray.direction, context_.camera.forward()), 1};
     const MisState mis =
         first ? first_light_state(walk, *path.start, hit->p, m.to, m.from) : arrive(walk, m.to, m.from);
-    path.crossings.push_back({*hit, walk.beta, walk.ray.direction, mis, static_cast<int>(path.vertices.size()) + 2});
+    path.crossings.push_back({*hit, walk.beta, mis, static_cast<int>(path.vertices.size()) + 2});
 }
 
 void SubpathTracer::trace_light(Rng& rng, LightSubpath& path, std::uint64_t& rays) const {
@@ -125,8 +125,9 @@ void SubpathTracer::trace_light(Rng& rng, LightSubpath& path, std::uint64_t& ray
     std::optional<Walk> walk = start_light(rng, path);
     if (!walk) return;
     const int max_depth = context_.settings.max_depth;
-    // With y1 ... yn the longest use is n = max_depth + 1 light vertices joined to the lens or found by it.
-    for (int depth = 0;; ++depth) {
+    // At most max_depth surfaces, which are then joined to the lens; one more ray may still find the lens by itself.
+    const int last = active_.lens_hit ? max_depth : max_depth - 1;
+    for (int depth = 0; depth <= last; ++depth) {
         ++rays;
         const auto si = context_.scene.intersect(walk->ray);
         add_crossing(*walk, si ? length(si->p - walk->ray.origin) : kInfinity, path);

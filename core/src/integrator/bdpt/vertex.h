@@ -27,7 +27,6 @@ struct Vertex {
 struct LightStart {
     int light = -1;
     LightPoint y;
-    double pmf = 0;        ///< of choosing the light for emission
     double pdf_point = 0;  ///< of y, native measure, light's choice included
 };
 
@@ -35,7 +34,6 @@ struct LightStart {
 struct LensCrossing {
     LensHit hit;
     Rgb beta;
-    Vec3 direction;
     MisState mis;  ///< as of a vertex on the lens
     int s = 0;     ///< light vertices, the one on the lens included
 };
