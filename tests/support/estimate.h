@@ -17,6 +17,10 @@ inline int samples(int full) {
     return std::max(100, static_cast<int>(full * effort));
 }
 
+/// False when a run takes fewer samples than its statistics were laid out for: what looks for errors of memory then
+/// still looks, but rare events are too few for a verdict.
+inline bool full_effort() { return samples(1000) == 1000; }
+
 /// Mean of independent samples with the standard error they show (Welford).
 class Estimate {
 public:
@@ -49,7 +53,7 @@ inline testing::AssertionResult agrees(const Estimate& estimate, double expected
                << "mean " << estimate.mean() << " +- " << error << ", expected " << expected << ": " << off / error
                << " standard errors, ratio " << estimate.mean() / expected;
     }
-    if (samples(1000) == 1000 && error > resolution * std::abs(expected)) {
+    if (full_effort() && error > resolution * std::abs(expected)) {
         return testing::AssertionFailure() << "standard error " << error << " is too large for " << expected;
     }
     return testing::AssertionSuccess();
@@ -63,7 +67,7 @@ inline testing::AssertionResult agree(const Estimate& a, const Estimate& b, doub
         return testing::AssertionFailure() << a.mean() << " +- " << a.standard_error() << " and " << b.mean() << " +- "
                                            << b.standard_error() << ": " << off / error << " standard errors";
     }
-    if (samples(1000) == 1000 && error > resolution * std::abs(a.mean())) {
+    if (full_effort() && error > resolution * std::abs(a.mean())) {
         return testing::AssertionFailure() << "standard error " << error << " is too large for " << a.mean();
     }
     return testing::AssertionSuccess();

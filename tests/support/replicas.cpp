@@ -40,10 +40,6 @@ double welch_p(const Moments& a, const Moments& b, double na, double nb) {
     return two_sided_p((a.mean - b.mean) / std::sqrt(variance), degrees);
 }
 
-/// At less than full effort a picture has a sample or two per pixel: rare bright paths make its scatter meaningless, so
-/// there is no verdict but that nothing was invalid.
-bool full_effort() { return samples(1000) == 1000; }
-
 struct Worst {
     double p = 1;
     std::string where;
