@@ -12,7 +12,7 @@ namespace etendue::test {
 inline int samples(int full) {
     static const double effort = [] {
         const char* text = std::getenv("ETENDUE_TEST_EFFORT");
-        return text == nullptr ? 1.0 : std::clamp(std::atof(text), 1e-3, 1.0);
+        return text == nullptr ? 1.0 : std::clamp(std::strtod(text, nullptr), 1e-3, 1.0);
     }();
     return std::max(100, static_cast<int>(full * effort));
 }

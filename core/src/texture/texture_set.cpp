@@ -104,7 +104,8 @@ const CachedImage* select_image(const Texture& texture, double& s, double& t) {
     if (!texture.udim) return texture.images.front();
     const double column = std::floor(s);
     const double row = std::floor(t);
-    if (column < 0 || column >= kUdimColumns || row < 0 || row >= kUdimTiles / kUdimColumns) return nullptr;
+    constexpr int kUdimRows = kUdimTiles / kUdimColumns;
+    if (column < 0 || column >= kUdimColumns || row < 0 || row >= kUdimRows) return nullptr;
     s -= column;
     t -= row;
     return texture.images[static_cast<std::size_t>(column) + kUdimColumns * static_cast<std::size_t>(row)];

@@ -174,9 +174,10 @@ SpecularAlbedo true_albedo(double cos, double alpha) {
     const Bsdf f90 = flat(Conductor(SchlickFresnel{Rgb(0), Rgb(1), Rgb()}, alpha));
     for (int i = 0; i < kN; ++i) {
         const double rest = 1 - (i + 0.5) / kN;  // more points where the lobe dips below the surface
-        for (int j = 0; j < kN / 2; ++j) {
+        constexpr int kHalf = kN / 2;
+        for (int j = 0; j < kHalf; ++j) {
             const Vec2 u{1 - rest * rest, (j + 0.5) / kN};
-            const double weight = 2 * rest / (kN * (kN / 2));
+            const double weight = 2 * rest / (kN * kHalf);
             if (const auto s = f0.sample(wo, 0, u, mode, kCorrect)) sum.of_f0 += weight * s->weight.r;
             if (const auto s = f90.sample(wo, 0, u, mode, kCorrect)) sum.of_f90 += weight * s->weight.r;
         }

@@ -120,8 +120,8 @@ TEST(Triangulate, TakesBentPolygons) {
         std::vector<Vec3> corners;
         for (int i = 0; i < 9; ++i) {
             const double r = 0.5 + rng.next_1d();
-            corners.push_back(
-                {r * std::cos(i * 2 * kPi / 9), r * std::sin(i * 2 * kPi / 9), 0.1 * (rng.next_1d() - 0.5)});
+            corners.emplace_back(r * std::cos(i * 2 * kPi / 9), r * std::sin(i * 2 * kPi / 9),
+                                 0.1 * (rng.next_1d() - 0.5));
         }
         const Vec3 whole = polygon_area_vector(corners);
         Vec3 sum;

@@ -1,7 +1,6 @@
-#include <stdlib.h>
-
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <vector>

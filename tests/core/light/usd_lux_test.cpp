@@ -127,7 +127,7 @@ TEST(UsdLux, SmallNormalizedSphereTendsToThePoint) {
     }
 }
 
-void expect_error(LightDesc light, const std::string& mention) {
+void expect_error(const LightDesc& light, const std::string& mention) {
     try {
         (void)make_light(light, test::kBounds);
         ADD_FAILURE() << "no error about " << mention;

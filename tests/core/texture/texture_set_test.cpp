@@ -443,7 +443,7 @@ TEST_F(TextureTest, WhatCannotBeReadIsNamedAtOnce) {
               "texture /Looks/Texture: cannot read '" + directory_.path().string() + "': it is a directory");
     EXPECT_EQ(refusal(describe("")), "texture /Looks/Texture: cannot read '': no file is named");
     std::ofstream(directory_.file("noise.png")) << "this is not a picture";
-    std::ofstream(directory_.file("empty.exr"));
+    std::ofstream(directory_.file("empty.exr")) << "";
     for (const char* name : {"noise.png", "empty.exr"}) {
         const std::string start = "texture /Looks/Texture: cannot read '" + directory_.file(name) + "': ";
         const std::string message = refusal(describe(directory_.file(name)));
