@@ -1,5 +1,7 @@
 #include "support/tiny_scenes.h"
 
+#include <cmath>
+
 #include "support/scene_builder.h"
 
 namespace etendue::test {
@@ -119,6 +121,24 @@ SceneDescription many_lights() {
     small.m[0] = small.m[5] = small.m[10] = 0.15;
     const int glow = b.material(DiffuseMaterial{}, {2, 1, 0.5});
     b.shape(low_polygon_sphere(6, 4, false), glow, small);
+    b.camera({0.1, 0.1, 3.8}, {0, 0, 0}, 36);
+    return b.scene();
+}
+
+SceneDescription light_crowd() {
+    SceneBuilder b;
+    b.open_box(b.diffuse(0.5));
+    // Spread evenly by the golden ratio's kin, facing everywhere, of powers apart by two orders.
+    const auto spread = [](int i, double step) { return std::fmod(0.5 + i * step, 1.0); };
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 center = Vec3{spread(i, 0.8191725), spread(i, 0.6710436), spread(i, 0.5497005)} * 1.8;
+        const Vec3 direction{std::cos(i * 2.4), std::sin(i * 2.4), std::cos(i * 1.7)};
+        b.rect_light(center - Vec3{0.9, 0.9, 0.9}, direction, 0.04, 0.04, 0.02 * std::exp2(i % 7 - 3));
+    }
+    LightDesc dome;
+    dome.kind = LightKind::Dome;
+    dome.intensity = 0.1;
+    b.light(dome);
     b.camera({0.1, 0.1, 3.8}, {0, 0, 0}, 36);
     return b.scene();
 }

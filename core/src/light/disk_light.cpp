@@ -1,5 +1,7 @@
 #include "light/disk_light.h"
 
+#include <cmath>
+
 #include "light/point_error.h"
 #include "math/sampling.h"
 
@@ -26,5 +28,13 @@ AreaLight::PointSample DiskLight::sample_point(const Vec2& u) const {
 }
 
 double DiskLight::pdf_point(const LightPoint&) const { return 1 / area(); }
+
+std::optional<LightBounds> DiskLight::bounds() const {
+    const Vec3 x = world_from_light_.vector({radius_, 0, 0});
+    const Vec3 y = world_from_light_.vector({0, radius_, 0});
+    const Vec3 half{std::hypot(x.x, y.x), std::hypot(x.y, y.y), std::hypot(x.z, y.z)};
+    const Vec3& center = world_from_light_.translation();
+    return LightBounds{center - half, center + half, n_, 1};
+}
 
 }  // namespace etendue

@@ -11,6 +11,7 @@ public:
     DiskLight(const Transform& world_from_light, double radius, const Rgb& radiance);
 
     [[nodiscard]] static double world_area(const Transform& world_from_light, double radius);
+    [[nodiscard]] std::optional<LightBounds> bounds() const override;
 
 protected:
     [[nodiscard]] PointSample sample_point(const Vec2& u) const override;

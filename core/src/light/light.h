@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "light/light_bounds.h"
 #include "math/rgb.h"
 #include "math/vec.h"
 
@@ -64,6 +65,8 @@ public:
     [[nodiscard]] virtual EmissionPdf pdf_emission(const LightPoint& y, const Vec3& w) const = 0;
     /// Total, for choosing among lights.
     [[nodiscard]] virtual Rgb power() const = 0;
+    /// Empty when the light has none: at infinity, or a kind that does not say. Asked once, for choosing among lights.
+    [[nodiscard]] virtual std::optional<LightBounds> bounds() const { return {}; }
     /// At infinity: LightPoint::p is a direction.
     [[nodiscard]] virtual bool infinite() const { return false; }
     /// A point, or a single direction: no path finds it by chance.

@@ -74,4 +74,24 @@ Rgb MeshLight::estimate_power() const {
     return max_component(power) > 0 || floor == 0 ? power : Rgb(floor);
 }
 
+std::optional<LightBounds> MeshLight::bounds() const {
+    LightBounds bounds{triangles_[0].p[0], triangles_[0].p[0]};
+    Vec3 front;
+    for (const LightTriangle& t : triangles_) {
+        for (const Vec3& p : t.p) {
+            bounds.lower = min(bounds.lower, p);
+            bounds.upper = max(bounds.upper, p);
+        }
+        front += area_vector(t);
+    }
+    if (!(length(front) > 0)) return bounds;
+    bounds.axis = normalize(front);
+    bounds.cos_normals = 1;
+    for (const LightTriangle& t : triangles_) {
+        if (!(triangle_area(t) > 0)) continue;
+        bounds.cos_normals = std::min(bounds.cos_normals, dot(bounds.axis, normalize(area_vector(t))));
+    }
+    return bounds;
+}
+
 }  // namespace etendue

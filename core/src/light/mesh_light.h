@@ -27,6 +27,7 @@ public:
 
     /// With a texture, an estimate of the mean over fixed points. Never zero unless the radiance is.
     [[nodiscard]] Rgb power() const override { return power_; }
+    [[nodiscard]] std::optional<LightBounds> bounds() const override;
 
 protected:
     [[nodiscard]] PointSample sample_point(const Vec2& u) const override;

@@ -15,6 +15,7 @@ public:
     [[nodiscard]] EmissionSample sample_emission(const Vec2& u_point, const Vec2& u_dir) const override;
     [[nodiscard]] EmissionPdf pdf_emission(const LightPoint& y, const Vec3& w) const override;
     [[nodiscard]] Rgb power() const override;
+    [[nodiscard]] std::optional<LightBounds> bounds() const override { return LightBounds{position_, position_}; }
     [[nodiscard]] bool delta() const override { return true; }
 
 private:

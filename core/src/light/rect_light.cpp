@@ -27,4 +27,11 @@ AreaLight::PointSample RectLight::sample_point(const Vec2& u) const {
 
 double RectLight::pdf_point(const LightPoint&) const { return 1 / area(); }
 
+std::optional<LightBounds> RectLight::bounds() const {
+    const Vec3 half =
+        abs(world_from_light_.vector({width_ / 2, 0, 0})) + abs(world_from_light_.vector({0, height_ / 2, 0}));
+    const Vec3& center = world_from_light_.translation();
+    return LightBounds{center - half, center + half, n_, 1};
+}
+
 }  // namespace etendue

@@ -11,6 +11,7 @@ public:
     RectLight(const Transform& world_from_light, double width, double height, const Rgb& radiance);
 
     [[nodiscard]] static double world_area(const Transform& world_from_light, double width, double height);
+    [[nodiscard]] std::optional<LightBounds> bounds() const override;
 
 protected:
     [[nodiscard]] PointSample sample_point(const Vec2& u) const override;

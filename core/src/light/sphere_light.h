@@ -16,6 +16,7 @@ public:
 
     [[nodiscard]] std::optional<DirectSample> sample_direct(const Vec3& receiver, const Vec2& u) const override;
     [[nodiscard]] double pdf_direct(const Vec3& receiver, const LightPoint& y) const override;
+    [[nodiscard]] std::optional<LightBounds> bounds() const override;
 
 protected:
     [[nodiscard]] PointSample sample_point(const Vec2& u) const override;

@@ -55,9 +55,10 @@ Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_
     place_instances(description);
     place_light_shapes(description);
     build_accel();
-    make_lights(description, find_bounds(lens_points));
+    const SceneBounds bounds = find_bounds(lens_points);
+    make_lights(description, bounds);
     make_emissive_lights();
-    light_sampler_ = std::make_unique<LightSampler>(lights_);
+    light_sampler_ = std::make_unique<LightSampler>(lights_, bounds);
 }
 
 void Scene::place_shapes(const SceneDescription& description) {

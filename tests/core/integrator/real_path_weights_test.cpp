@@ -230,8 +230,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, RealPaths,
                                          Case{"glass_box", glass_box}, Case{"rough_glass_box", rough_glass_box},
                                          Case{"mirror_box", mirror_box}, Case{"smooth_normals_box", smooth_normals_box},
                                          Case{"sky", sky}, Case{"many_lights", many_lights},
-                                         Case{"delta_lights", delta_lights}, Case{"lens_box", lens_box},
-                                         Case{"instanced_box", instanced_box}),
+                                         Case{"light_crowd", light_crowd}, Case{"delta_lights", delta_lights},
+                                         Case{"lens_box", lens_box}, Case{"instanced_box", instanced_box}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

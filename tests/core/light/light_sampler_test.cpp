@@ -15,6 +15,8 @@ namespace {
 
 using Lights = std::vector<std::unique_ptr<Light>>;
 
+LightSampler make_sampler(const Lights& lights) { return LightSampler(lights, test::kBounds); }
+
 Lights points(const std::vector<Rgb>& intensities) {
     Lights lights;
     for (const Rgb& intensity : intensities) lights.push_back(std::make_unique<PointLight>(Vec3{}, intensity));
@@ -23,10 +25,10 @@ Lights points(const std::vector<Rgb>& intensities) {
 
 TEST(LightSampler, NoLights) {
     for (Lights& lights : std::vector<Lights>(1)) {
-        EXPECT_FALSE(LightSampler(lights).sample_emission(0.5));
-        EXPECT_FALSE(LightSampler(lights).sample_direct({}, 0.5));
+        EXPECT_FALSE(make_sampler(lights).sample_emission(0.5));
+        EXPECT_FALSE(make_sampler(lights).sample_direct({}, 0.5));
         lights.push_back(std::make_unique<DarkLight>());
-        const LightSampler dark(lights);
+        const LightSampler dark = make_sampler(lights);
         EXPECT_FALSE(dark.sample_emission(0.5));
         EXPECT_FALSE(dark.sample_direct({}, 0.5));
         EXPECT_EQ(dark.pmf_emission(0), 0);
@@ -35,7 +37,7 @@ TEST(LightSampler, NoLights) {
 }
 
 TEST(LightSampler, OneLight) {
-    const LightSampler sampler(points({Rgb(1e-30)}));
+    const LightSampler sampler = make_sampler(points({Rgb(1e-30)}));
     for (const double u : {0.0, 0.5, 1 - 0x1p-53}) {
         EXPECT_EQ(sampler.sample_emission(u)->light, 0);
         EXPECT_EQ(sampler.sample_emission(u)->pmf, 1);
@@ -44,20 +46,23 @@ TEST(LightSampler, OneLight) {
     }
 }
 
-TEST(LightSampler, ByPowerAndHalfEven) {
-    const LightSampler sampler(points({Rgb(1), Rgb(), Rgb(0, 0, 9), Rgb(1e-9), Rgb()}));
+/// Of lights in one place the receiver's place says nothing: all that is left is power, and a third, one over the
+/// number of lights that emit, half evenly.
+TEST(LightSampler, ByPowerAndSometimesEvenly) {
+    const LightSampler sampler = make_sampler(points({Rgb(1), Rgb(), Rgb(0, 0, 9), Rgb(1e-9), Rgb()}));
+    const Vec3 receiver{1, 2, 3};
     EXPECT_NEAR(sampler.pmf_emission(0), 0.25, 1e-9);
     EXPECT_NEAR(sampler.pmf_emission(2), 0.75, 1e-9);
-    EXPECT_NEAR(sampler.pmf_direct({}, 0), 0.125 + 1 / 6.0, 1e-9);
-    EXPECT_NEAR(sampler.pmf_direct({}, 3), 1 / 6.0, 1e-9);
+    EXPECT_NEAR(sampler.pmf_direct(receiver, 0), (0.125 + 1 / 6.0) / 3 + 0.25 * 2 / 3, 1e-9);
+    EXPECT_NEAR(sampler.pmf_direct(receiver, 3), 1 / 18.0, 1e-9);
     for (const int dark : {1, 4}) {
         EXPECT_EQ(sampler.pmf_emission(dark), 0);
-        EXPECT_EQ(sampler.pmf_direct({}, dark), 0);
+        EXPECT_EQ(sampler.pmf_direct(receiver, dark), 0);
     }
 }
 
 TEST(LightSampler, ChoosesAsOftenAsItSays) {
-    const LightSampler sampler(points({Rgb(1), Rgb(), Rgb(0, 0, 9), Rgb(2), Rgb()}));
+    const LightSampler sampler = make_sampler(points({Rgb(1), Rgb(), Rgb(0, 0, 9), Rgb(2), Rgb()}));
     std::vector<test::Estimate> emission(5);
     std::vector<test::Estimate> direct(5);
     Rng rng(31, 0, 0);
@@ -88,9 +93,9 @@ TEST(LightSampler, TexturedMeshIsNeverLost) {
     desc.kind = LightKind::Mesh;
     Lights lights = points({Rgb(1)});
     lights.push_back(make_mesh_light(desc, test::tetrahedron(), std::make_shared<Spot>()));
-    const LightSampler sampler(lights);
+    const LightSampler sampler = make_sampler(lights);
     EXPECT_GT(sampler.pmf_emission(1), 1e-5);
-    EXPECT_GT(sampler.pmf_direct({}, 1), 0.5 / 2);
+    EXPECT_GT(sampler.pmf_direct({}, 1), 0.5 / 4);
 }
 
 TEST(LightSampler, TexturedMeshPowerIsItsMean) {
