@@ -234,6 +234,9 @@ void bind_lights(py::module_& module) {
         .def_readwrite("radius", &LightDesc::radius)
         .def_readwrite("treat_as_point", &LightDesc::treat_as_point)
         .def_readwrite("angle", &LightDesc::angle)
+        .def_readwrite("texture_file", &LightDesc::texture_file)
+        .def_readwrite("texture_color_space", &LightDesc::texture_color_space)
+        .def_readwrite("pole_axis", &LightDesc::pole_axis)
         .def_readwrite("shape", &LightDesc::shape)
         .def_readwrite("tinted_by_material", &LightDesc::tinted_by_material);
     def_keyword_constructor<LightDesc>(light);

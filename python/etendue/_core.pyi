@@ -583,6 +583,9 @@ class LightDesc:
         radius: float = ...,
         treat_as_point: bool = ...,
         angle: float = ...,
+        texture_file: str = ...,
+        texture_color_space: TextureColorSpace = ...,
+        pole_axis: Axis = ...,
         shape: int = ...,
         tinted_by_material: bool = ...,
     ) -> None: ...
@@ -608,6 +611,9 @@ class LightDesc:
     radius: float
     treat_as_point: bool
     angle: float
+    texture_file: str
+    texture_color_space: TextureColorSpace
+    pole_axis: Axis
     shape: int
     tinted_by_material: bool
 

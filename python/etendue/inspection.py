@@ -69,7 +69,9 @@ def inspect_contents(contents: StageContents) -> Inspection:
     triangles = [_triangles(geometry) for geometry in geometries]
     groups = [sum(triangles[shape.geometry] for shape in group.shapes) for group in scene.groups]
     placed = Counter(instance.group for instance in scene.instances)
-    textures = sorted({texture.file for texture in scene.textures})
+    files = {texture.file for texture in scene.textures}
+    files |= {light.texture_file for light in scene.lights if light.texture_file}
+    textures = sorted(files)
     return Inspection(
         source=contents.source,
         frame=contents.frame,
@@ -137,7 +139,7 @@ def _requirements(scene: _core.SceneDescription) -> Requirements:
         rough_reflection=any("rough reflection" in lobe for lobe in lobes),
         rough_transmission=any("rough transmission" in lobe for lobe in lobes),
         cutouts=any("cutout" in lobe for lobe in lobes),
-        textures=bool(scene.textures),
+        textures=bool(scene.textures) or any(light.texture_file for light in scene.lights),
         normal_maps=any(material.normal_texture >= 0 for material in scene.materials),
         area_lights=bool(kinds & area_kinds) or spheres > len(points),
         emitting_surfaces=any(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -59,13 +60,72 @@ def test_dome(build: StageBuilder, kind: str) -> None:
     assert (light.kind, light.color) == (_core.LightKind.Dome, [0.25, 0.5, 0.75])
 
 
-@pytest.mark.parametrize("kind", ["DomeLight", "DomeLight_1"])
-def test_dome_texture_is_left_out(build: StageBuilder, kind: str) -> None:
+def dome(build: StageBuilder, file: Path, kind: str = "DomeLight") -> Usd.Prim:
+    """A dome with a texture."""
     prim = build.light(kind)
-    prim.GetAttribute("inputs:texture:file").Set(Sdf.AssetPath("sky.exr"))
+    prim.GetAttribute("inputs:texture:file").Set(Sdf.AssetPath(str(file)))
+    return prim
+
+
+@pytest.fixture
+def sky(tmp_path: Path) -> Path:
+    """A file that the reader need not look into."""
+    file = tmp_path / "sky.hdr"
+    file.touch()
+    return file
+
+
+@pytest.mark.parametrize("kind", ["DomeLight", "DomeLight_1"])
+@pytest.mark.parametrize("layout", ["automatic", "latlong"])
+def test_dome_texture(build: StageBuilder, sky: Path, kind: str, layout: str) -> None:
+    dome(build, sky, kind).GetAttribute("inputs:texture:format").Set(layout)
     contents = build.read()
-    assert len(contents.scene.lights) == 1
-    assert "/Light: dome textures are not supported" in warning_texts(contents)
+    (light,) = contents.scene.lights
+    assert light.texture_file == str(sky)
+    assert light.texture_color_space == _core.TextureColorSpace.Auto
+    assert contents.warnings == ()
+
+
+def test_dome_texture_color_space(build: StageBuilder, sky: Path) -> None:
+    dome(build, sky).GetAttribute("inputs:texture:file").SetColorSpace("srgb_rec709_scene")
+    assert only_light(build).texture_color_space == _core.TextureColorSpace.Srgb
+
+
+@pytest.mark.parametrize("layout", ["mirroredBall", "angular", "cubeMapVerticalCross"])
+def test_other_texture_formats_are_left_out(build: StageBuilder, sky: Path, layout: str) -> None:
+    dome(build, sky).GetAttribute("inputs:texture:format").Set(layout)
+    contents = build.read()
+    assert contents.scene.lights[0].texture_file == ""
+    assert f"/Light: texture:format '{layout}' is not supported" in warning_texts(contents)
+
+
+def test_missing_dome_texture(build: StageBuilder, tmp_path: Path) -> None:
+    dome(build, tmp_path / "nowhere.hdr")
+    contents = build.read()
+    assert contents.scene.lights[0].texture_file == ""
+    assert "nowhere.hdr' is not found; the constant colour is used" in warning_texts(contents)
+
+
+@pytest.mark.parametrize(
+    ("kind", "up", "pole", "expected"),
+    [
+        ("DomeLight", "Y", None, "Y"),
+        ("DomeLight", "Z", None, "Y"),
+        ("DomeLight_1", "Y", None, "Y"),
+        ("DomeLight_1", "Z", None, "Z"),
+        ("DomeLight_1", "Z", "scene", "Z"),
+        ("DomeLight_1", "Z", "Y", "Y"),
+        ("DomeLight_1", "Y", "Z", "Z"),
+    ],
+)
+def test_pole_axis(
+    build: StageBuilder, kind: str, up: str, pole: str | None, expected: str
+) -> None:
+    UsdGeom.SetStageUpAxis(build.stage, up)
+    prim = build.light(kind)
+    if pole is not None:
+        prim.GetAttribute("poleAxis").Set(pole)
+    assert only_light(build).pole_axis.name == expected
 
 
 def test_color_temperature(build: StageBuilder) -> None:

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/io/temporary_directory.h"
+#include "support/hdr_file.h"
 #include "support/scene_builder.h"
 
 namespace etendue::test {
@@ -93,6 +95,26 @@ SceneDescription sky() {
     sun.world_from_light = look_at({2, 3, 1}, {0, 0, 0});
     b.light(sun);
     b.camera({0, 2, 5}, {0, 0.4, 0}, 40);
+    return b.scene();
+}
+
+SceneDescription image_sky() {
+    // Files stay as long as the program: scenes are read after they have been described.
+    static const TemporaryDirectory directory;
+    const std::string file = directory.file("sky.hdr");
+    write_hdr(file, 16, 8, [](int x, int y) {
+        if (x == 5 && y == 2) return Rgb(64);
+        return y < 4 ? Rgb(0.25, 0.5, 1) : Rgb(0.125, 0.0625, 0);
+    });
+    SceneBuilder b;
+    b.quad({-3, 0, 3}, {6, 0, 0}, {0, 0, -6}, b.diffuse(0.5));
+    b.sphere({0, 0.6, 0}, 0.6, b.diffuse(0.8));
+    LightDesc dome;
+    dome.kind = LightKind::Dome;
+    dome.texture_file = file;
+    dome.world_from_light = look_at({0, 0, 0}, {0.6, 0.2, 1});
+    b.light(dome);
+    b.camera({0, 2, 5}, {0, 0.8, 0}, 40);
     return b.scene();
 }
 

@@ -198,11 +198,14 @@ struct LightDesc {
     Color color{1, 1, 1};
     Color color_temperature_rgb{1, 1, 1};  ///< blackbody tint when enableColorTemperature, else white
     bool normalize = false;
-    double width = 1;                 ///< rect
-    double height = 1;                ///< rect
-    double radius = 0.5;              ///< disk, sphere
-    bool treat_as_point = false;      ///< sphere
-    double angle = 0.53;              ///< distant: full angle, degrees; 0 is a delta light of `intensity` lux
+    double width = 1;             ///< rect
+    double height = 1;            ///< rect
+    double radius = 0.5;          ///< disk, sphere
+    bool treat_as_point = false;  ///< sphere
+    double angle = 0.53;          ///< distant: full angle, degrees; 0 is a delta light of `intensity` lux
+    std::string texture_file;     ///< dome: latlong; empty: none
+    TextureColorSpace texture_color_space = TextureColorSpace::Auto;
+    Axis pole_axis = Axis::Y;         ///< dome: which axis of light space the top of the texture is about; Y or Z
     int shape = -1;                   ///< mesh: index into SceneDescription::shapes
     bool tinted_by_material = false;  ///< mesh: materialGlowTintsLight
 };

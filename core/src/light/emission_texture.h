@@ -12,4 +12,11 @@ public:
     [[nodiscard]] virtual Rgb at(const Vec2& st) const = 0;
 };
 
+/// The same as texels, bilinearly filtered. st = (0, 0) is the lower left corner; texel (0, 0) the upper left one.
+class EmissionImage : public EmissionTexture {
+public:
+    [[nodiscard]] virtual int width() const = 0;
+    [[nodiscard]] virtual int height() const = 0;
+};
+
 }  // namespace etendue

@@ -10,6 +10,7 @@
 #include "light/disk_light.h"
 #include "light/distant_light.h"
 #include "light/dome_light.h"
+#include "light/latlong_dome_light.h"
 #include "light/point_light.h"
 #include "light/rect_light.h"
 #include "light/sphere_light.h"
@@ -42,13 +43,19 @@ void check_attributes(const LightDesc& light) {
     require_finite(light, light.angle, "angle");
 }
 
-Transform checked_transform(const LightDesc& light) {
-    check_attributes(light);
+/// What `make` returns; what it complains of is said of the light.
+template <typename Make>
+auto naming(const LightDesc& light, Make&& make) {
     try {
-        return Transform(light.world_from_light);
+        return make();
     } catch (const SceneError& error) {
         fail(light, error.what());
     }
+}
+
+Transform checked_transform(const LightDesc& light) {
+    check_attributes(light);
+    return naming(light, [&light] { return Transform(light.world_from_light); });
 }
 
 Rgb finite(const LightDesc& light, const Rgb& value) {
@@ -101,6 +108,19 @@ std::unique_ptr<Light> make_distant(const LightDesc& light, const Transform& wor
     return std::make_unique<DistantLight>(bounds, to_light, half_angle, radiance);
 }
 
+std::unique_ptr<Light> make_dome(const LightDesc& light, const Transform& world_from_light, const SceneBounds& bounds,
+                                 std::shared_ptr<const EmissionImage> image) {
+    const Rgb radiance = finite(light, lux_dome_radiance(light));
+    if (!image) return std::make_unique<DomeLight>(bounds, radiance);
+    if (light.pole_axis == Axis::X) fail(light, "a dome's pole axis is Y or Z");
+    std::unique_ptr<Light> dome = naming(light, [&] {
+        return std::make_unique<LatlongDomeLight>(bounds, lux_dome_frame(light, world_from_light), radiance,
+                                                  std::move(image));
+    });
+    if (is_black(dome->power())) return std::make_unique<DarkLight>();
+    return dome;
+}
+
 TriangleMesh rect_shape(const LightDesc& light, const Transform& world_from_light) {
     const auto x = static_cast<float>(light.width / 2);
     const auto y = static_cast<float>(light.height / 2);
@@ -133,7 +153,8 @@ std::optional<LightShape> make_light_shape(const LightDesc& light) {
     return {};
 }
 
-std::unique_ptr<Light> make_light(const LightDesc& light, const SceneBounds& bounds) {
+std::unique_ptr<Light> make_light(const LightDesc& light, const SceneBounds& bounds,
+                                  std::shared_ptr<const EmissionImage> image) {
     const Transform world_from_light = checked_transform(light);
     switch (light.kind) {
         case LightKind::Rect:
@@ -145,7 +166,7 @@ std::unique_ptr<Light> make_light(const LightDesc& light, const SceneBounds& bou
         case LightKind::Distant:
             return make_distant(light, world_from_light, bounds);
         case LightKind::Dome:
-            return std::make_unique<DomeLight>(bounds, finite(light, lux_dome_radiance(light)));
+            return make_dome(light, world_from_light, bounds, std::move(image));
         case LightKind::Mesh:
             break;
     }

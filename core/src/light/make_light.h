@@ -25,8 +25,10 @@ using LightShape = std::variant<TriangleMesh, Quadric>;
 /// mesh is a shape of the scene). Needs no scene bounds, since it is part of them.
 [[nodiscard]] std::optional<LightShape> make_light_shape(const LightDesc& light);
 
-/// Any light but a mesh light. `bounds` must enclose all that can be hit; only infinite lights use it.
-[[nodiscard]] std::unique_ptr<Light> make_light(const LightDesc& light, const SceneBounds& bounds);
+/// Any light but a mesh light. `bounds` must enclose all that can be hit; only infinite lights use it. `image` is the
+/// light's texture, which must outlive it (lux_texture); null: none.
+[[nodiscard]] std::unique_ptr<Light> make_light(const LightDesc& light, const SceneBounds& bounds,
+                                                std::shared_ptr<const EmissionImage> image = nullptr);
 
 /// A light whose emitting geometry is a mesh of the scene. `tint` is the glow of the mesh's material for
 /// LightDesc::tinted_by_material, else null.

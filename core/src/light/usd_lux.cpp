@@ -37,6 +37,26 @@ Rgb lux_delta_distant_irradiance(const LightDesc& light) { return authored_radia
 
 Rgb lux_dome_radiance(const LightDesc& light) { return authored_radiance(light); }
 
+std::optional<TextureDesc> lux_texture(const LightDesc& light) {
+    if (light.kind != LightKind::Dome || light.texture_file.empty()) return {};
+    TextureDesc texture;
+    texture.name = light.name;
+    texture.file = light.texture_file;
+    texture.color_space = light.texture_color_space;
+    texture.wrap_s = TextureWrap::Repeat;
+    texture.wrap_t = TextureWrap::Clamp;
+    return texture;
+}
+
+Frame lux_dome_frame(const LightDesc& light, const Transform& world_from_light) {
+    const bool z_up = light.pole_axis == Axis::Z;
+    const Vec3 top = normalize(world_from_light.vector(z_up ? Vec3{0, 0, 1} : Vec3{0, 1, 0}));
+    const Vec3 middle = world_from_light.vector(z_up ? Vec3{0, -1, 0} : Vec3{0, 0, 1});
+    const Vec3 n = normalize(middle - top * dot(middle, top));
+    const Vec3 left = cross(top, n);
+    return {world_from_light.flips_handedness() ? -left : left, top, n};
+}
+
 Rgb lux_point_intensity(const LightDesc& light, double world_area) {
     if (light.normalize || world_area == 0) return authored_radiance(light) / 4;
     return authored_radiance(light) * (world_area / 4);

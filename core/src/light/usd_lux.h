@@ -1,8 +1,12 @@
 #pragma once
 
+#include <optional>
+
 #include <etendue/scene_description.h>
 
+#include "math/frame.h"
 #include "math/rgb.h"
+#include "math/transform.h"
 
 namespace etendue {
 
@@ -34,8 +38,17 @@ namespace etendue {
 /// but 50000 lux at angle 0.
 [[nodiscard]] Rgb lux_delta_distant_irradiance(const LightDesc& light);
 
-/// A dome ignores `normalize`: its sizeFactor is 1.
+/// A dome ignores `normalize`: its sizeFactor is 1. A texture multiplies its radiance.
 [[nodiscard]] Rgb lux_dome_radiance(const LightDesc& light);
+
+/// The texture that multiplies the radiance of a dome; none of other lights.
+[[nodiscard]] std::optional<TextureDesc> lux_texture(const LightDesc& light);
+
+/// The axes of a dome's latlong texture, in the world (LatlongDomeLight). Of light space, the texture's top is +Y and
+/// its middle +Z; with pole axis Z, which is the rotation by 90 degrees about +X, they are +Z and -Y. Scales and shears
+/// of the transform, which mean nothing at infinity, are left out: the pole keeps its direction, the middle is made
+/// perpendicular to it. Mirroring is kept.
+[[nodiscard]] Frame lux_dome_frame(const LightDesc& light, const Transform& world_from_light);
 
 /// Luminous intensity, candela in stage units (E = I / d^2), of a sphere light taken as a point. UsdLux gives no rule.
 /// - treatAsPoint with a radius keeps the far field: a convex body of area A and radiance L has the mean projected

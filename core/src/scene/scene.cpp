@@ -8,10 +8,13 @@
 #include <etendue/error.h>
 
 #include "light/make_light.h"
+#include "light/texture_image.h"
+#include "light/usd_lux.h"
 #include "scene/interaction.h"
 #include "scene/light_triangles.h"
 #include "scene/material_glow.h"
 #include "scene/material_textures.h"
+#include "texture/udim.h"
 
 namespace etendue {
 namespace {
@@ -46,11 +49,23 @@ std::vector<int> mesh_light_shapes(const SceneDescription& description) {
     return light_of_shape;
 }
 
+/// The scene's textures, then those of its lights in the order of the lights that have one.
+std::vector<TextureDesc> all_textures(const SceneDescription& description) {
+    std::vector<TextureDesc> textures = description.textures;
+    for (const LightDesc& light : description.lights) {
+        std::optional<TextureDesc> texture = lux_texture(light);
+        if (!texture) continue;
+        if (is_udim(texture->file)) throw SceneError(light.name + ": a light's texture cannot be a UDIM set");
+        textures.push_back(std::move(*texture));
+    }
+    return textures;
+}
+
 }  // namespace
 
 Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points)
-    : textures_(description.textures), materials_(description.materials) {
-    for (const MaterialDesc& material : materials_) check_textures(material, textures_.size());
+    : textures_(all_textures(description)), materials_(description.materials) {
+    for (const MaterialDesc& material : materials_) check_textures(material, description.textures.size());
     place_shapes(description);
     place_instances(description);
     place_light_shapes(description);
@@ -122,9 +137,12 @@ int Scene::add_light(std::unique_ptr<Light> light) {
 }
 
 void Scene::make_lights(const SceneDescription& description, const SceneBounds& bounds) {
+    auto next_texture = static_cast<int>(description.textures.size());
     for (const LightDesc& desc : description.lights) {
         if (desc.kind != LightKind::Mesh) {
-            add_light(make_light(desc, bounds));
+            const bool textured = lux_texture(desc).has_value();
+            add_light(make_light(desc, bounds,
+                                 textured ? std::make_shared<TextureImage>(textures_, next_texture++) : nullptr));
             continue;
         }
         PlacedShape& shape = shapes_[static_cast<std::size_t>(desc.shape)];

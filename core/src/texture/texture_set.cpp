@@ -1,5 +1,6 @@
 #include "texture/texture_set.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
@@ -156,6 +157,12 @@ TextureSet::TextureSet(TextureSet&&) noexcept = default;
 TextureSet& TextureSet::operator=(TextureSet&&) noexcept = default;
 
 std::size_t TextureSet::size() const { return impl_->textures.size(); }
+
+TextureSet::Resolution TextureSet::resolution(int texture) const {
+    const auto& images = impl_->textures[static_cast<std::size_t>(texture)].images;
+    const CachedImage& image = **std::find_if(images.begin(), images.end(), [](const auto* i) { return i != nullptr; });
+    return {image.width, image.height};
+}
 
 TextureSet::Value TextureSet::lookup(int texture, double s, double t) const {
     return impl_->lookup(impl_->textures[static_cast<std::size_t>(texture)], s, t);

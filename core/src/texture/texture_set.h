@@ -37,6 +37,13 @@ public:
 
     [[nodiscard]] std::size_t size() const;
 
+    struct Resolution {
+        int width;
+        int height;
+    };
+    /// Texels of the image (of a UDIM set's first tile).
+    [[nodiscard]] Resolution resolution(int texture) const;
+
     /// The value of `textures[texture]` at st, before its st_transform. From any thread. The fallback when st is not
     /// finite or the file became unreadable after construction.
     [[nodiscard]] Value lookup(int texture, double s, double t) const;

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from pxr import Usd, UsdGeom, UsdLux
+from pxr import Sdf, Usd, UsdGeom, UsdLux
 
 from etendue import _core
 from etendue.usd_reader.colors import to_rendering_space
 from etendue.usd_reader.context import ReadContext
+from etendue.usd_reader.texture_files import file_color_space, texture_file
 
 _KINDS = {
     "RectLight": _core.LightKind.Rect,
@@ -18,6 +19,9 @@ _KINDS = {
     "DomeLight": _core.LightKind.Dome,
     "DomeLight_1": _core.LightKind.Dome,
 }
+
+# How a dome's texture covers the sphere; automatic is latlong unless the file says otherwise.
+_LATLONG = ("automatic", "latlong")
 
 INDEPENDENT = "independent"
 TINTED = "materialGlowTintsLight"
@@ -74,6 +78,44 @@ def _set_size(context: ReadContext, prim: Usd.Prim, desc: _core.LightDesc) -> No
         desc.treat_as_point = bool(_value(context, prim, "treatAsPoint"))
     elif desc.kind == _core.LightKind.Distant:
         desc.angle = _value(context, prim, "inputs:angle")
+    elif desc.kind == _core.LightKind.Dome:
+        desc.pole_axis = _pole_axis(context, prim)
+        _set_dome_texture(context, prim, desc)
+
+
+def _pole_axis(context: ReadContext, prim: Usd.Prim) -> _core.Axis:
+    """DomeLight's is Y whatever the stage's up axis; DomeLight_1 says, and may leave it to that."""
+    if prim.GetTypeName() == "DomeLight":
+        return _core.Axis.Y
+    pole = str(_value(context, prim, "poleAxis"))
+    if pole == "scene":
+        pole = str(UsdGeom.GetStageUpAxis(context.stage))
+    return _core.Axis.Z if pole == "Z" else _core.Axis.Y
+
+
+def _set_dome_texture(context: ReadContext, prim: Usd.Prim, desc: _core.LightDesc) -> None:
+    layout = str(_value(context, prim, "inputs:texture:format"))
+    authored = _value(context, prim, "inputs:texture:file")
+    if isinstance(authored, Sdf.AssetPath) and authored.path and layout not in _LATLONG:
+        context.report.warn(
+            f"dome texture format {layout}",
+            prim.GetPath(),
+            f"texture:format '{layout}' is not supported, only latlong; "
+            "the constant colour is used",
+        )
+        return
+    _set_texture(context, prim, desc)
+
+
+def _set_texture(context: ReadContext, prim: Usd.Prim, desc: _core.LightDesc) -> None:
+    attribute = prim.GetAttribute("inputs:texture:file")
+    asset = attribute.Get(context.time)
+    if not isinstance(asset, Sdf.AssetPath) or not asset.path:
+        return
+    file = texture_file(context, prim.GetPath(), attribute, asset, "the constant colour")
+    if file is not None:
+        desc.texture_file = file
+        desc.texture_color_space = file_color_space(context, prim.GetPath(), attribute)
 
 
 def _set_emission(context: ReadContext, prim: Usd.Prim, desc: _core.LightDesc) -> None:
@@ -102,14 +144,11 @@ def _warn_unsupported(context: ReadContext, prim: Usd.Prim) -> None:
     ):
         if attribute.Get(context.time) != 1.0:
             warn(name, f"inputs:{name} is not physical and not supported; 1 is used")
-    if prim.GetAttribute("inputs:texture:file").HasAuthoredValue():
-        dome = prim.GetTypeName() != "RectLight"
-        name, message = (
-            ("dome texture", "dome textures are not supported; the constant colour is used")
-            if dome
-            else ("rect texture", "light textures are not supported; the plain light is used")
-        )
-        warn(name, message)
+    if (
+        prim.GetTypeName() == "RectLight"
+        and prim.GetAttribute("inputs:texture:file").HasAuthoredValue()
+    ):
+        warn("rect texture", "light textures are not supported; the plain light is used")
     if light.GetFiltersRel().GetTargets():
         warn("filters", "light filters are not supported; the unfiltered light is used")
     if prim.GetRelationship("portals").GetTargets():

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import hashlib
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
-from pxr import Ar, Sdf, Usd, UsdShade
+from pxr import Sdf, UsdShade
 
 from etendue import _core
-from etendue.usd_reader.colors import color_space_name
 from etendue.usd_reader.context import ReadContext
 from etendue.usd_reader.networks import (
     Constant,
@@ -22,6 +19,7 @@ from etendue.usd_reader.networks import (
     resolve_input,
     shader_id,
 )
+from etendue.usd_reader.texture_files import file_color_space, texture_file
 
 Rgba = tuple[float, float, float, float]
 _Affine = npt.NDArray[np.float64]
@@ -40,16 +38,6 @@ _COLOR_SPACES = {
     "auto": _core.TextureColorSpace.Auto,
     "raw": _core.TextureColorSpace.Raw,
     "sRGB": _core.TextureColorSpace.Srgb,
-}
-# What an asset's colorSpace says, once aliases are resolved.
-_FILE_COLOR_SPACES = {
-    "srgb_rec709_scene": _core.TextureColorSpace.Srgb,
-    "lin_rec709_scene": _core.TextureColorSpace.Raw,
-    "raw": _core.TextureColorSpace.Raw,
-    "data": _core.TextureColorSpace.Raw,
-    "identity": _core.TextureColorSpace.Raw,
-    "auto": _core.TextureColorSpace.Auto,
-    "": _core.TextureColorSpace.Auto,
 }
 
 DEFAULT_ST = "st"
@@ -178,14 +166,7 @@ class TextureReader:
         source = resolve_input(self._context, shader, "file")
         if not isinstance(source, Constant):
             return _core.TextureColorSpace.Auto
-        name = color_space_name(source.attribute)
-        if name not in _FILE_COLOR_SPACES:
-            self._context.report.warn(
-                f"texture color space {name}",
-                shader.GetPath(),
-                f"texture colour space '{name}' is not supported; 'auto' is used",
-            )
-        return _FILE_COLOR_SPACES.get(name, _core.TextureColorSpace.Auto)
+        return file_color_space(self._context, shader.GetPath(), source.attribute)
 
     # ------------------------------------------------------------------------------------ files
 
@@ -201,35 +182,13 @@ class TextureReader:
             )
             return None
         assert isinstance(source, Constant)
-        resolved = _resolve(asset, source.attribute)
-        if not resolved:
-            self._context.report.warn(
-                f"missing texture {asset.path}",
-                shader.GetPath(),
-                f"texture file '{asset.path}' is not found; the texture's fallback colour is used",
-            )
-            return None
-        if Ar.IsPackageRelativePath(resolved):
-            return self._extract(shader, resolved)
-        return resolved
-
-    def _extract(self, shader: UsdShade.Shader, resolved: str) -> str | None:
-        """Copies a texture out of its package (.usdz): image readers open plain files."""
-        asset = Ar.GetResolver().OpenAsset(Ar.ResolvedPath(resolved))
-        if asset is None:
-            self._context.report.warn(
-                f"missing texture {resolved}",
-                shader.GetPath(),
-                f"texture file '{resolved}' cannot be read; the texture's fallback colour is used",
-            )
-            return None
-        inner = Ar.SplitPackageRelativePathInner(resolved)[1]
-        digest = hashlib.sha256(resolved.encode()).hexdigest()[:16]
-        file = self._context.scratch.directory / f"{digest}-{Path(inner).name}"
-        if not file.exists():
-            with asset:
-                file.write_bytes(bytes(asset.GetBuffer()))
-        return str(file)
+        return texture_file(
+            self._context,
+            shader.GetPath(),
+            source.attribute,
+            asset,
+            "the texture's fallback colour",
+        )
 
     # ------------------------------------------------------------------------------ coordinates
 
@@ -268,16 +227,6 @@ class TextureReader:
             [[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]]
         )
         return _affine(rotation @ np.diag([scale[0], scale[1]]), translation)
-
-
-def _resolve(asset: Sdf.AssetPath, attribute: Usd.Attribute) -> str:
-    """The resolved path; `<UDIM>` stays in it. Empty when there is no such file."""
-    if not UsdShade.UdimUtils.IsUdimIdentifier(asset.path):
-        return str(asset.resolvedPath)
-    for spec in attribute.GetPropertyStack(Usd.TimeCode.Default()):
-        if spec.HasInfo("default") or spec.HasInfo("timeSamples"):
-            return str(UsdShade.UdimUtils.ResolveUdimPath(asset.path, spec.layer))
-    return ""
 
 
 def _affine(linear: _Affine, translation: Sequence[float]) -> _Affine:

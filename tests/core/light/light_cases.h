@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/light/memory_image.h"
 #include "light/make_light.h"
 
 namespace etendue::test {
@@ -70,6 +71,11 @@ class RampTexture final : public EmissionTexture {
 public:
     [[nodiscard]] Rgb at(const Vec2& st) const override { return {1 + st.x, 0.5, 0.25 + st.y}; }
 };
+
+inline std::shared_ptr<const Light> image_dome() {
+    const LightDesc desc = light_desc(LightKind::Dome, rotated(2));
+    return make_light(desc, kBounds, std::make_shared<MemoryImage>(mottled_image(16, 8, true)));
+}
 
 /// A light and, of a surface, where its points are.
 struct LightCase {
@@ -153,6 +159,7 @@ inline std::vector<LightCase> delta_lights() {
 inline std::vector<LightCase> all_lights() {
     std::vector<LightCase> cases = surface_lights();
     for (const auto& other : {infinite_lights(), delta_lights()}) cases.insert(cases.end(), other.begin(), other.end());
+    cases.push_back({"DomeImage", image_dome(), {}, {}});
     return cases;
 }
 
