@@ -1,0 +1,87 @@
+"""Who runs against whom."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from parity.cases import BDPT, LUXCORE, MITSUBA_PATH, MITSUBA_PTRACER, OWN_STAGES, Case, own
+from parity.tasks import Method, StageChoice
+
+PATH = Method("etendue", "path")
+LIGHT = Method("etendue", "light")
+
+
+@dataclass(frozen=True)
+class Runner:
+    """A method, with samples per pixel for about a second of CPU."""
+
+    method: Method
+    spp: int
+
+
+@dataclass(frozen=True)
+class Race:
+    """The first runner has to reach `bar` times the efficiency of the best of the others."""
+
+    name: str
+    case: Case
+    reference: Runner
+    runners: tuple[Runner, ...]
+    bar: float
+    width: int
+
+
+def _case(stage: StageChoice, max_depth: int) -> Case:
+    return Case(stage.file.stem, stage, max_depth, 0, ())
+
+
+def _against_ourselves() -> tuple[Race, ...]:
+    """bdpt against the best of path and light, on every stage."""
+    return tuple(
+        Race(
+            f"bdpt among ours, {file.stem}",
+            _case(StageChoice(file), 16),
+            Runner(BDPT, 768),
+            (Runner(BDPT, 24), Runner(PATH, 96), Runner(LIGHT, 64)),
+            0.5,
+            64,
+        )
+        for file in sorted(OWN_STAGES.glob("*.usda"))
+    )
+
+
+RACES = (
+    Race(
+        "path",
+        _case(own("cornell_box", "main"), 16),
+        Runner(BDPT, 640),
+        (Runner(PATH, 128), Runner(MITSUBA_PATH, 256)),
+        1.0,
+        96,
+    ),
+    Race(
+        "light",
+        _case(own("caustic_pool", "underwater"), 16),
+        Runner(LIGHT, 4096),
+        (Runner(LIGHT, 128), Runner(MITSUBA_PTRACER, 256)),
+        1.0,
+        96,
+    ),
+    Race(
+        "bdpt, glass sphere",
+        _case(own("glass_sphere", "main", tessellated=True), 12),
+        Runner(BDPT, 1024),
+        (Runner(BDPT, 40), Runner(LUXCORE, 40)),
+        3.0,
+        96,
+    ),
+    Race(
+        "bdpt, lamp to the ceiling",
+        _case(own("cornell_indirect", "main"), 16),
+        Runner(BDPT, 640),
+        (Runner(BDPT, 32), Runner(LUXCORE, 12)),
+        3.0,
+        96,
+    ),
+    *_against_ourselves(),
+)

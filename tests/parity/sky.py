@@ -1,0 +1,39 @@
+"""The image for the sky of latlong_sky.usda."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from parity.plain_scene import Floats
+
+WIDTH, HEIGHT = 512, 256
+
+
+def write_sky(file: Path) -> None:
+    """A soft sun in a sky that differs in every direction, as a Radiance file.
+
+    Smooth and large: where renderers put the centres of its texels must not matter.
+    """
+    longitude = np.pi * (1 - (2 * np.arange(WIDTH) + 1) / WIDTH)[None, :]
+    latitude = np.pi / 2 * (1 - (2 * np.arange(HEIGHT) + 1) / HEIGHT)[:, None]
+    x = np.cos(latitude) * np.sin(longitude)
+    y = np.sin(latitude) + 0 * longitude
+    z = np.cos(latitude) * np.cos(longitude)
+    sun = np.exp(40 * (0.48 * x + 0.64 * y + 0.6 * z - 1))
+    red = 0.4 + 0.3 * x + 12 * sun
+    green = 0.4 + 0.3 * y * y + 10 * sun
+    blue = 0.6 + 0.3 * z + 7 * sun
+    write_radiance(file, np.stack([red, green, blue], axis=-1))
+
+
+def write_radiance(file: Path, image: Floats) -> None:
+    """An uncompressed .hdr file: 8-bit mantissas with a common exponent."""
+    height, width, _ = image.shape
+    _, exponent = np.frexp(image.max(axis=2, keepdims=True))
+    mantissas = np.floor(np.ldexp(image, 8 - exponent)).clip(0, 255)
+    pixels = np.concatenate([mantissas, exponent + 128], axis=2).astype(np.uint8)
+    header = f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_bytes(header.encode() + pixels.tobytes())
