@@ -15,18 +15,37 @@ namespace py = pybind11;
 namespace etendue::python {
 namespace {
 
-/// A new array (h, w, channels), or (h, w) for one channel; it owns its memory. KeyError when the AOV is absent.
+/// A new array (h, w, channels), or (h, w) for one channel; it owns its memory.
+py::array_t<float> new_array(const RenderedImage& image, int channels, const std::vector<float>& data) {
+    std::vector<py::ssize_t> shape{image.height, image.width};
+    if (channels != 1) shape.push_back(channels);
+    py::array_t<float> array(shape);
+    if (array.size() != static_cast<py::ssize_t>(data.size())) {
+        throw std::logic_error("the AOV's size does not match the image's");
+    }
+    std::copy(data.begin(), data.end(), array.mutable_data());
+    return array;
+}
+
+/// KeyError when the AOV is absent.
 py::array_t<float> aov_array(const RenderedImage& image, Aov aov) {
     const AovImage* found = image.find(aov);
     if (!found) throw py::key_error(std::string(aov_name(aov)));
-    std::vector<py::ssize_t> shape{image.height, image.width};
-    if (found->channels != 1) shape.push_back(found->channels);
-    py::array_t<float> array(shape);
-    if (array.size() != static_cast<py::ssize_t>(found->data.size())) {
-        throw std::logic_error("the AOV's size does not match the image's");
+    return new_array(image, found->channels, found->data);
+}
+
+/// KeyError when there is none of that name.
+py::array_t<float> strategy_array(const RenderedImage& image, const std::string& name) {
+    for (const StrategyImage& strategy : image.strategy_images) {
+        if (strategy_image_name(strategy) == name) return new_array(image, 3, strategy.data);
     }
-    std::copy(found->data.begin(), found->data.end(), array.mutable_data());
-    return array;
+    throw py::key_error(name);
+}
+
+std::vector<std::string> strategy_images_of(const RenderedImage& image) {
+    std::vector<std::string> names;
+    for (const StrategyImage& strategy : image.strategy_images) names.push_back(strategy_image_name(strategy));
+    return names;
 }
 
 std::vector<Aov> aovs_of(const RenderedImage& image) {
@@ -63,7 +82,9 @@ void bind_film_view(py::module_& module) {
         .def_readonly("full_height", &RenderedImage::full_height)
         .def_readonly("statistics", &RenderedImage::statistics)
         .def_property_readonly("aovs", &aovs_of)
-        .def("array", &aov_array, py::arg("aov"));
+        .def("array", &aov_array, py::arg("aov"))
+        .def_property_readonly("strategy_images", &strategy_images_of)
+        .def("strategy_array", &strategy_array, py::arg("name"));
 }
 
 }  // namespace etendue::python

@@ -86,7 +86,8 @@ void bind_render_settings(py::module_& module) {
         .def_readwrite("light_paths_per_pixel", &RenderSettings::light_paths_per_pixel)
         .def_readwrite("roulette_depth", &RenderSettings::roulette_depth)
         .def_readwrite("adjoint", &RenderSettings::adjoint)
-        .def_readwrite("aovs", &RenderSettings::aovs);
+        .def_readwrite("aovs", &RenderSettings::aovs)
+        .def_readwrite("strategy_images", &RenderSettings::strategy_images);
     def_keyword_constructor<RenderSettings>(settings);
 }
 

@@ -731,6 +731,7 @@ class RenderSettings:
         roulette_depth: int = ...,
         adjoint: AdjointPolicy = ...,
         aovs: Sequence[Aov] = ...,
+        strategy_images: int = ...,
     ) -> None: ...
     camera: int
     width: int
@@ -754,6 +755,7 @@ class RenderSettings:
     def aovs(self) -> list[Aov]: ...
     @aovs.setter
     def aovs(self, value: Sequence[Aov], /) -> None: ...
+    strategy_images: int
 
 class SceneDescription:
     """Lists are read as copies and replaced as a whole; add_*() append and return the index."""
@@ -842,6 +844,10 @@ class RenderedImage:
     def aovs(self) -> list[Aov]: ...
     def array(self, aov: Aov) -> npt.NDArray[np.float32]:
         """A new array (h, w, channels), or (h, w) for one channel. KeyError when it is absent."""
+    @property
+    def strategy_images(self) -> list[str]: ...
+    def strategy_array(self, name: str) -> npt.NDArray[np.float32]:
+        """A new array (h, w, 3). KeyError when there is none of that name."""
 
 @final
 class RenderProgress:

@@ -146,6 +146,14 @@ def render(
         list[str] | None,
         typer.Option(metavar="NAME", help=f"Besides color and alpha; repeatable: {'|'.join(AOVS)}"),
     ] = None,
+    strategy_images: Annotated[
+        int,
+        typer.Option(
+            metavar="K",
+            help="Layers st.weighted.s2t3.R and so on in the .exr: what every strategy (s, t) "
+            "makes of paths with up to K edges (s + t - 1).",
+        ),
+    ] = CORE_DEFAULTS.strategy_images,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
 ) -> int:
     """Render a stage to a file. Ctrl-C writes what has been rendered so far."""
@@ -166,6 +174,7 @@ def render(
         light_paths=light_paths,
         filter=pixel_filter,
         aovs=["alpha", *(aov or [])],
+        strategy_images=strategy_images,
     )
     scene = _open(stage, frame)
     console = Console(file=sys.stderr, highlight=False)

@@ -27,12 +27,15 @@ class Image:
 
     def __getitem__(self, aov: str) -> FloatArray:
         """A new array. KeyError, listing what there is, when the AOV was not rendered."""
-        if aov not in self.aovs:
-            raise KeyError(f"no AOV '{aov}' in this image; there are: {', '.join(self.aovs)}")
-        return self._rendered.array(AOVS[aov])
+        if aov in self.aovs:
+            return self._rendered.array(AOVS[aov])
+        if aov in self.strategy_images:
+            return self._rendered.strategy_array(aov)
+        known = ", ".join((*self.aovs, *self.strategy_images))
+        raise KeyError(f"no AOV '{aov}' in this image; there are: {known}")
 
     def __contains__(self, aov: object) -> bool:
-        return aov in self.aovs
+        return aov in self.aovs or aov in self.strategy_images
 
     def __repr__(self) -> str:
         return f"<etendue.Image {self.width}x{self.height}: {', '.join(self.aovs)}>"
@@ -41,6 +44,11 @@ class Image:
     def aovs(self) -> tuple[str, ...]:
         """Names of what was rendered."""
         return tuple(_core.aov_name(aov) for aov in self._rendered.aovs)
+
+    @property
+    def strategy_images(self) -> tuple[str, ...]:
+        """Names of the images of single strategies: "st.weighted.s2t3", "st.unweighted.s2t3"."""
+        return tuple(self._rendered.strategy_images)
 
     @property
     def color(self) -> FloatArray:

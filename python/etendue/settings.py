@@ -43,6 +43,9 @@ class RenderOptions(TypedDict, total=False):
     seed: the same seed gives the same image, whatever the number of threads.
     threads: 0 (default) means all.
     aovs: names of AOVS; default color and alpha. Color is always there.
+    strategy_images: keeps the image of every strategy (s, t), weighted (they sum up to color) and
+        unweighted, of paths with up to this many edges (s + t - 1), under names like
+        "st.weighted.s2t3". Default 0: none. For bdpt and light.
     filter: "box" (default), "triangle" or "gaussian"; filter_radius in pixels.
     heuristic: "power" (default) or "balance", for the weights of path and bdpt.
     strategies: the names of STRATEGIES that take part; default all.
@@ -62,6 +65,7 @@ class RenderOptions(TypedDict, total=False):
     seed: int
     threads: int
     aovs: Iterable[str]
+    strategy_images: int
     filter: str
     filter_radius: float | None
     heuristic: str
@@ -106,6 +110,9 @@ def render_settings(
         settings.single_strategy = _core.Strategy(s=single[0], t=single[1])
     settings.adjoint = _core.AdjointPolicy(
         **_switches("adjoint correction", options.get("adjoint"), ADJOINT)
+    )
+    settings.strategy_images = _at_least(
+        "strategy_images", options.get("strategy_images", settings.strategy_images), 0
     )
     names = ["color", *options.get("aovs", ("alpha",))]
     settings.aovs = [_choice("aov", name, AOVS) for name in dict.fromkeys(names)]

@@ -101,6 +101,17 @@ def test_changing_an_array_changes_nothing_else(stage: etendue.Stage) -> None:
     assert image.color.max() < 7
 
 
+def test_strategy_images(stage: etendue.Stage) -> None:
+    image = stage.render(**SMALL, max_depth=1, strategy_images=2)
+    shares = [name for name in image.strategy_images if name.startswith("st.weighted.")]
+    assert shares == [f"st.weighted.s{s}t{t}" for s, t in ((0, 2), (1, 1), (0, 3), (1, 2), (2, 1))]
+    assert "st.unweighted.s1t2" in image
+    assert image["st.unweighted.s1t2"].shape == (12, 16, 3)
+    np.testing.assert_allclose(sum(image[name] for name in shares), image.color, rtol=1e-5)
+    with pytest.raises(KeyError, match=r"no AOV 'st.weighted.s9t9'.*st.weighted.s0t2"):
+        image["st.weighted.s9t9"]
+
+
 def test_crop_is_part_of_the_whole(stage: etendue.Stage) -> None:
     whole = stage.render(**SMALL, aovs=["depth"])
     part = stage.render(**SMALL, aovs=["depth"], crop=(4, 3, 10, 11))

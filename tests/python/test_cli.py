@@ -62,6 +62,17 @@ def test_render_exr(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert f"wrote {out}: 16x12, 2 spp" in capsys.readouterr().err
 
 
+def test_render_strategy_images(file: Path, tmp_path: Path) -> None:
+    out = tmp_path / "a.exr"
+    assert cli.run(["render", str(file), "-o", str(out), *SMALL, "--strategy-images", "1"]) == 0
+    channels = read_exr_header(out)["channels"]
+    assert isinstance(channels, list)
+    assert [name for name in channels if name.startswith("st.weighted.")] == [
+        *("st.weighted.s0t2.B", "st.weighted.s0t2.G", "st.weighted.s0t2.R"),
+        *("st.weighted.s1t1.B", "st.weighted.s1t1.G", "st.weighted.s1t1.R"),
+    ]
+
+
 def test_render_png(file: Path, tmp_path: Path) -> None:
     out = tmp_path / "a.png"
     options = ["--bits", "16", "--crop", "1,2,9,10", "--integrator", "path", "--threads", "1"]
@@ -152,6 +163,7 @@ def test_ctrl_c_writes_what_there_is(file: Path, tmp_path: Path) -> None:
         (["--integrator", "magic"], "unknown integrator 'magic'"),
         (["--aov", "beauty"], "unknown aov 'beauty'"),
         (["--crop", "0,0,99,99"], "outside of the image"),
+        (["--integrator", "path", "--strategy-images", "3"], "strategy images need the bdpt"),
         (["--time", "-1"], "time is -1.0"),
         (["--view", "nothing", "-o", "OUT.png"], "nothing"),
         (["--ocio", "missing.ocio", "-o", "OUT.png"], "missing.ocio"),

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,6 +29,18 @@ struct AovImage {
     std::vector<float> data;
 };
 
+/// What one strategy alone made of the picture; three floats a pixel, row 0 on top. Weighted, its share of the color:
+/// with all path lengths shown, shares sum up to it. Unweighted, its own estimate C*_{s,t} of theory.md §2, of all
+/// light that takes s + t - 1 edges and that it can sample.
+struct StrategyImage {
+    Strategy strategy;
+    bool weighted = true;
+    std::vector<float> data;
+};
+
+/// "st.weighted.s2t3", "st.unweighted.s2t3": the layer's name in files and in Python.
+[[nodiscard]] ETENDUE_EXPORT std::string strategy_image_name(const StrategyImage& image);
+
 /// Why a contribution could not be added to the film. Each is counted, none is added.
 enum class InvalidKind { NotANumber, Infinite, Negative };
 inline constexpr int kInvalidKinds = 3;
@@ -49,6 +62,7 @@ struct RenderedImage {
     int full_width = 0;
     int full_height = 0;
     std::vector<AovImage> aovs;
+    std::vector<StrategyImage> strategy_images;  ///< by path length, then s; weighted before unweighted
     RenderStatistics statistics;
 
     /// The AOV, or null when it was not asked for.

@@ -21,10 +21,10 @@ enum class ImageFileKind { SceneLinear, Display };
 ETENDUE_EXPORT void check_writable(const std::string& file);
 
 /// All AOVs as one float EXR, scene-linear Rec.709: R G B A for color (premultiplied) and alpha, then depth.Z,
-/// normal.X/Y/Z, albedo.R/G/B, variance.R/G/B, sample_count, as far as the image has them. A crop is the data window in
-/// the full image's display window. `metadata` goes to the header. Written to a temporary file first, so a failure
-/// loses nothing. Throws SettingsError when the name does not end in .exr or there is no AOV, FileError when writing
-/// fails.
+/// normal.X/Y/Z, albedo.R/G/B, variance.R/G/B, sample_count, and strategies' images as
+/// st.weighted.s2t3.R/G/B, as far as the image has them. A crop is the data window in the full image's display window.
+/// `metadata` goes to the header. Written to a temporary file first, so a failure loses nothing. Throws SettingsError
+/// when the name does not end in .exr or there is no AOV, FileError when writing fails.
 ETENDUE_EXPORT void write_exr(const std::string& file, const RenderedImage& image, const ImageMetadata& metadata);
 
 /// Color through the display and view, clamped and rounded to the nearest code; NaN is 0. `bits` is 8 or 16; jpeg takes

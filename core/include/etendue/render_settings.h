@@ -77,6 +77,9 @@ struct RenderSettings {
     AdjointPolicy adjoint;
 
     std::vector<Aov> aovs{Aov::Color, Aov::Alpha};
+    /// bdpt, light: keeps the image of every strategy, weighted and unweighted, of paths with up to this many edges
+    /// (s + t - 1). 0: none. Every strategy costs 72 bytes a pixel.
+    int strategy_images = 0;
 };
 
 }  // namespace etendue

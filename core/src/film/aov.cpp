@@ -37,4 +37,9 @@ int aov_channels(Aov aov) {
     return 1;
 }
 
+std::string strategy_image_name(const StrategyImage& image) {
+    return std::string(image.weighted ? "st.weighted.s" : "st.unweighted.s") + std::to_string(image.strategy.s) + "t" +
+           std::to_string(image.strategy.t);
+}
+
 }  // namespace etendue

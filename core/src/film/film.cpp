@@ -1,10 +1,11 @@
 #include "film/film.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "film/asks_for.h"
+#include "film/splat_footprint.h"
 
 namespace etendue {
 namespace {
@@ -19,8 +20,8 @@ void store(std::span<float> out, std::size_t pixel, const Rgb& value) {
 
 }  // namespace
 
-Film::Film(const RenderSettings& settings, const PixelWindow& window)
-    : settings_(settings), filter_(settings.filter), window_(window) {
+Film::Film(const RenderSettings& settings, const PixelWindow& window, std::vector<Strategy> strategies)
+    : settings_(settings), filter_(settings.filter), window_(window), strategies_(std::move(strategies), window) {
     const auto pixels =
         static_cast<std::size_t>(window.x1 - window.x0) * static_cast<std::size_t>(window.y1 - window.y0);
     camera_.resize(pixels);
@@ -29,15 +30,11 @@ Film::Film(const RenderSettings& settings, const PixelWindow& window)
     if (asks_for(settings, {Aov::Variance})) pass_.resize(pixels);
 }
 
-std::size_t Film::index(int x, int y) const {
-    return static_cast<std::size_t>(y - window_.y0) * static_cast<std::size_t>(window_.x1 - window_.x0) +
-           static_cast<std::size_t>(x - window_.x0);
-}
-
 void Film::add(const FilmTile& tile) {
     add_samples(tile);
     if (!tile.splats.empty() && splat_.empty()) splat_.resize(camera_.size());
     for (const Splat& splat : tile.splats) add_splat(splat);
+    strategies_.add(tile, filter_);
     statistics_.camera_paths += tile.camera_paths;
     statistics_.light_paths += tile.light_paths;
     statistics_.rays += tile.rays;
@@ -49,7 +46,7 @@ void Film::add_samples(const FilmTile& tile) {
     auto sample = tile.samples.begin();
     for (int y = tile.window.y0; y < tile.window.y1; ++y) {
         for (int x = tile.window.x0; x < tile.window.x1; ++x, ++sample) {
-            const std::size_t pixel = index(x, y);
+            const std::size_t pixel = pixel_index(window_, x, y);
             camera_[pixel] += sample->radiance;
             ++count_[pixel];
             if (!pass_.empty()) pass_[pixel].camera += sample->radiance;
@@ -64,21 +61,10 @@ void Film::add_samples(const FilmTile& tile) {
 }
 
 void Film::add_splat(const Splat& splat) {
-    // Pixel (x, y) has its centre at (x + 0.5, y + 0.5).
-    const double r = filter_.radius();
-    const int x0 = std::max(window_.x0, static_cast<int>(std::floor(splat.raster.x - r - 0.5)));
-    const int x1 = std::min(window_.x1 - 1, static_cast<int>(std::ceil(splat.raster.x + r - 0.5)));
-    const int y0 = std::max(window_.y0, static_cast<int>(std::floor(splat.raster.y - r - 0.5)));
-    const int y1 = std::min(window_.y1 - 1, static_cast<int>(std::ceil(splat.raster.y + r - 0.5)));
-    for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
-            const double weight = filter_.eval({splat.raster.x - x - 0.5, splat.raster.y - y - 0.5});
-            if (weight == 0) continue;
-            const std::size_t pixel = index(x, y);
-            splat_[pixel] += splat.value * weight;
-            if (!pass_.empty()) pass_[pixel].splat += splat.value * weight;
-        }
-    }
+    spread_splat(filter_, window_, splat.raster, [&](std::size_t pixel, double weight) {
+        splat_[pixel] += splat.value * weight;
+        if (!pass_.empty()) pass_[pixel].splat += splat.value * weight;
+    });
 }
 
 void Film::end_pass() {
@@ -156,6 +142,7 @@ RenderedImage Film::image() const {
         out.data.resize(camera_.size() * static_cast<std::size_t>(out.channels));
         fill(aov, out.data);
     }
+    image.strategy_images = strategies_.images(count_, statistics_.light_paths);
     return image;
 }
 

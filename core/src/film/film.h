@@ -9,6 +9,7 @@
 
 #include "film/film_tile.h"
 #include "film/filter.h"
+#include "film/strategy_planes.h"
 
 namespace etendue {
 
@@ -16,7 +17,8 @@ namespace etendue {
 /// light paths. Not synchronised: the session adds tiles in one fixed order, which makes images independent of threads.
 class Film {
 public:
-    Film(const RenderSettings& settings, const PixelWindow& window);
+    /// `strategies`: those whose images are kept.
+    Film(const RenderSettings& settings, const PixelWindow& window, std::vector<Strategy> strategies = {});
 
     void add(const FilmTile& tile);
     /// Closes a pass: its image enters the variance of the mean.
@@ -42,7 +44,6 @@ private:
 
     void add_samples(const FilmTile& tile);
     void add_splat(const Splat& splat);
-    [[nodiscard]] std::size_t index(int x, int y) const;
     [[nodiscard]] Rgb color(std::size_t pixel) const;
     [[nodiscard]] Rgb variance(std::size_t pixel) const;
     void fill(Aov aov, std::span<float> out) const;
@@ -55,6 +56,7 @@ private:
     std::vector<std::uint32_t> count_;
     std::vector<SurfaceSums> surface_;  ///< empty unless asked for
     std::vector<PassSums> pass_;        ///< empty unless variance is asked for
+    StrategyPlanes strategies_;
     std::uint64_t pass_light_paths_ = 0;
     RenderStatistics statistics_;
 };

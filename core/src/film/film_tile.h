@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,11 +28,21 @@ struct Splat {
     Rgb value;
 };
 
+/// What a strategy gives to the image, kept beside the picture itself when strategies' images are asked for.
+struct StrategySample {
+    std::size_t plane = 0;   ///< index into the film's strategies
+    std::size_t sample = 0;  ///< of the tile, for camera samples
+    Vec2 raster;             ///< for splats
+    Rgb value;               ///< unweighted
+    double weight = 0;
+};
+
 /// What one work unit hands to the film.
 struct FilmTile {
     PixelWindow window;                ///< in full-image pixels
     std::vector<PixelSample> samples;  ///< row by row
     std::vector<Splat> splats;
+    std::vector<StrategySample> strategies;  ///< empty unless asked for
     std::uint64_t camera_paths = 0;
     std::uint64_t light_paths = 0;
     std::uint64_t rays = 0;
@@ -42,6 +53,7 @@ struct FilmTile {
         window = tile_window;
         samples.clear();
         splats.clear();
+        strategies.clear();
         camera_paths = light_paths = rays = 0;
         invalid = {};
     }
@@ -61,8 +73,11 @@ struct FilmTile {
         ++invalid[static_cast<std::size_t>(kind)];
         return false;
     }
-    void add_splat(const Vec2& raster, const Rgb& value) {
-        if (accept(value)) splats.push_back({raster, value});
+    /// False when the value is refused.
+    bool add_splat(const Vec2& raster, const Rgb& value) {
+        if (!accept(value)) return false;
+        if (!is_black(value)) splats.push_back({raster, value});
+        return true;
     }
 };
 

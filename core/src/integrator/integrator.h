@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "film/film_tile.h"
 #include "integrator/render_context.h"
@@ -16,6 +17,8 @@ public:
     virtual void render(const WorkUnit& unit, FilmTile& tile) const = 0;
     /// Light subpaths in one pass; 0 when none are needed.
     [[nodiscard]] virtual std::uint64_t light_paths_per_pass() const = 0;
+    /// Strategies whose images the tiles carry.
+    [[nodiscard]] virtual std::vector<Strategy> image_strategies() const { return {}; }
 };
 
 [[nodiscard]] std::unique_ptr<Integrator> make_integrator(const RenderContext& context);

@@ -17,6 +17,8 @@ struct Layer {
     std::size_t channels;
 };
 
+std::vector<std::string> color_channels(const std::string& name) { return {name + ".R", name + ".G", name + ".B"}; }
+
 /// Suffixes of the AOV's channels: colours in R G B, directions in X Y Z, a depth in Z, what is neither without.
 std::vector<std::string> channel_names(Aov aov) {
     const std::string name(aov_name(aov));
@@ -31,7 +33,7 @@ std::vector<std::string> channel_names(Aov aov) {
             return {name + ".X", name + ".Y", name + ".Z"};
         case Aov::Albedo:
         case Aov::Variance:
-            return {name + ".R", name + ".G", name + ".B"};
+            return color_channels(name);
         case Aov::SampleCount:
             break;
     }
@@ -60,9 +62,7 @@ OIIO::ImageSpec describe(const RenderedImage& image, const ImageMetadata& metada
     return spec;
 }
 
-void add_channels(OIIO::ImageSpec& spec, Aov aov) {
-    const std::vector<std::string> names = channel_names(aov);
-    if (aov == Aov::Alpha) spec.alpha_channel = spec.nchannels;
+void add_channels(OIIO::ImageSpec& spec, const std::vector<std::string>& names) {
     spec.channelnames.insert(spec.channelnames.end(), names.begin(), names.end());
     spec.nchannels += static_cast<int>(names.size());
 }
@@ -87,7 +87,13 @@ void write_exr(const std::string& file, const RenderedImage& image, const ImageM
         const AovImage* found = image.find(aov);
         if (!found) continue;
         layers.push_back({checked_data(file, image, *found), static_cast<std::size_t>(aov_channels(aov))});
-        add_channels(spec, aov);
+        if (aov == Aov::Alpha) spec.alpha_channel = spec.nchannels;
+        add_channels(spec, channel_names(aov));
+    }
+    for (const StrategyImage& strategy : image.strategy_images) {
+        const std::string name = strategy_image_name(strategy);
+        layers.push_back({checked_data(file, image, name, 3, strategy.data), 3});
+        add_channels(spec, color_channels(name));
     }
     if (layers.empty()) throw SettingsError("cannot write '" + file + "': the image has no AOV");
     const auto width = static_cast<std::size_t>(image.width);

@@ -44,18 +44,25 @@ void write_rows(const std::string& file, const OIIO::ImageSpec& spec, const Fill
     replaced.commit();
 }
 
-const float* checked_data(const std::string& file, const RenderedImage& image, const AovImage& aov) {
+const float* checked_data(const std::string& file, const RenderedImage& image, const std::string& name, int channels,
+                          const std::vector<float>& data) {
     const auto width = static_cast<std::size_t>(std::max(image.width, 0));
     const auto height = static_cast<std::size_t>(std::max(image.height, 0));
-    const int channels = aov_channels(aov.aov);
     const std::size_t expected = width * height * static_cast<std::size_t>(channels);
-    if (expected == 0 || aov.channels != channels || aov.data.size() != expected) {
-        throw Error("cannot write '" + file + "': " + std::string(aov_name(aov.aov)) + " has " +
-                    std::to_string(aov.data.size()) + " values in " + std::to_string(aov.channels) +
-                    " channels, for an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                    " in " + std::to_string(channels));
+    if (expected == 0 || data.size() != expected) {
+        throw Error("cannot write '" + file + "': " + name + " has " + std::to_string(data.size()) +
+                    " values, for an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                    " in " + std::to_string(channels) + " channels");
     }
-    return aov.data.data();
+    return data.data();
+}
+
+const float* checked_data(const std::string& file, const RenderedImage& image, const AovImage& aov) {
+    const std::string name(aov_name(aov.aov));
+    if (aov.channels != aov_channels(aov.aov)) {
+        throw Error("cannot write '" + file + "': " + name + " has " + std::to_string(aov.channels) + " channels");
+    }
+    return checked_data(file, image, name, aov.channels, aov.data);
 }
 
 }  // namespace etendue

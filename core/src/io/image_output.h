@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <OpenImageIO/imageio.h>
 
@@ -17,5 +18,8 @@ void write_rows(const std::string& file, const OIIO::ImageSpec& spec, const Fill
 
 /// The AOV's data. Throws Error naming `file` when its size is not that of the image.
 [[nodiscard]] const float* checked_data(const std::string& file, const RenderedImage& image, const AovImage& aov);
+/// The same for any image of so many channels.
+[[nodiscard]] const float* checked_data(const std::string& file, const RenderedImage& image, const std::string& name,
+                                        int channels, const std::vector<float>& data);
 
 }  // namespace etendue

@@ -59,7 +59,7 @@ public:
           scene_(scene, lens_points(camera_)),
           integrator_(make_integrator(make_context(scene_, camera_, settings_))),
           runner_(*integrator_, render_window(settings_)),
-          film_(settings_, render_window(settings_)) {}
+          film_(settings_, render_window(settings_), integrator_->image_strategies()) {}
 
     ~Impl() {
         cancel();

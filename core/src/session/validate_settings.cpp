@@ -11,7 +11,8 @@ namespace {
 /// Keeps the numbers of a pass's light paths, counted over the largest images, within 64 bits.
 constexpr double kMostLightPathsPerPixel = 1e6;
 constexpr int kMostBounces = 1'000'000;
-constexpr double kLargestFilter = 1000;  // pixels
+constexpr int kLongestStrategyImages = 30;  // edges: a thousand images
+constexpr double kLargestFilter = 1000;     // pixels
 
 void require(bool holds, const char* message) {
     if (!holds) throw SettingsError(message);
@@ -56,6 +57,12 @@ void validate_settings(const RenderSettings& settings, const SceneDescription& s
     require(settings.light_paths_per_pixel <= kMostLightPathsPerPixel, "too many light paths per pixel");
     require(!settings.single_strategy || settings.integrator == IntegratorKind::Bdpt,
             "a single strategy needs the bdpt integrator");
+    require(settings.strategy_images >= 0, "the path length of strategy images must not be negative");
+    require(settings.strategy_images <= kLongestStrategyImages, "strategy images of such long paths are too many");
+    require(settings.strategy_images == 0 || settings.integrator != IntegratorKind::Path,
+            "strategy images need the bdpt or the light integrator");
+    require(settings.strategy_images == 0 || !settings.single_strategy,
+            "strategy images show all strategies, not a single one");
     const Strategy strategy = settings.single_strategy.value_or(Strategy{1, 1});
     require(strategy.s >= 0 && strategy.t >= 0 && strategy.s + strategy.t >= 2,
             "a single strategy needs at least two vertices");

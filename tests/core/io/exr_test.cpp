@@ -58,6 +58,27 @@ TEST(Exr, AllAovsComeBackUnderTheirNames) {
     }
 }
 
+TEST(Exr, StrategiesAreLayers) {
+    const TemporaryDirectory directory;
+    RenderedImage image = numbered_image(2, 3, {Aov::Color});
+    for (const bool weighted : {true, false}) {
+        const std::vector<float> data = numbered_image(2, 3, {weighted ? Aov::Albedo : Aov::Variance}).aovs[0].data;
+        image.strategy_images.push_back({{2, 13}, weighted, data});
+    }
+    write_exr(directory.file("x.exr"), image, {});
+    const ReadImage<float> read = read_floats(directory.file("x.exr"));
+    EXPECT_EQ(read.spec.nchannels, 9);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::string name = i == 0 ? "st.weighted.s2t13" : "st.unweighted.s2t13";
+        const AovImage aov{Aov::Albedo, 3, image.strategy_images[i].data};
+        expect_channel(read, name + ".R", aov, 0);
+        expect_channel(read, name + ".G", aov, 1);
+        expect_channel(read, name + ".B", aov, 2);
+    }
+    image.strategy_images[1].data.pop_back();
+    EXPECT_THROW(write_exr(directory.file("y.exr"), image, {}), Error);
+}
+
 TEST(Exr, TheOrderOfTheRequestDoesNotMatter) {
     const TemporaryDirectory directory;
     std::vector<Aov> reversed(kAllAovs.rbegin(), kAllAovs.rend());

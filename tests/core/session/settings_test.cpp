@@ -60,6 +60,18 @@ TEST(Settings, AreCheckedOneByOne) {
          },
          "bdpt"},
         {[](auto& s) { s.single_strategy = {-1, 4}; }, "strategy"},
+        {[](auto& s) { s.strategy_images = -1; }, "strategy images"},
+        {[](auto& s) { s.strategy_images = 1000; }, "strategy images"},
+        {[](auto& s) {
+             s.integrator = IntegratorKind::Path;
+             s.strategy_images = 3;
+         },
+         "bdpt"},
+        {[](auto& s) {
+             s.single_strategy = {1, 2};
+             s.strategy_images = 3;
+         },
+         "single"},
         {[](auto& s) { s.single_strategy = {0, 1}; }, "strategy"},
     };
     const RenderSettings good = small_settings(IntegratorKind::Bdpt, 8, 1);

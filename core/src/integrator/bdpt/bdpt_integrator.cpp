@@ -36,10 +36,17 @@ BdptIntegrator::BdptIntegrator(const RenderContext& context, const StrategySet& 
     : context_(context),
       active_(resolve(context, strategies)),
       tracer_(context_, active_),
-      connector_(context_, active_) {}
+      connector_(context_, active_) {
+    const int longest = std::min(context_.settings.strategy_images, context_.settings.max_depth + 1);
+    if (longest > 0) images_.emplace(active_, longest);
+}
 
 std::uint64_t BdptIntegrator::light_paths_per_pass() const {
     return active_.needs_light_paths() ? static_cast<std::uint64_t>(active_.light_paths) : 0;
+}
+
+std::vector<Strategy> BdptIntegrator::image_strategies() const {
+    return images_ ? images_->strategies() : std::vector<Strategy>{};
 }
 
 void BdptIntegrator::render(const WorkUnit& unit, FilmTile& tile) const {
@@ -148,13 +155,15 @@ void BdptIntegrator::add(const std::optional<Contribution>& c, int s, int t, Pix
                          FilmTile& tile) const {
     if (!c) return;
     const Rgb value = weigh(*c, s, t);
-    if (tile.accept(value)) sample.radiance += value;
+    if (!tile.accept(value)) return;
+    sample.radiance += value;
+    if (images_) images_->add_sample(*c, s, t, tile);
 }
 
 void BdptIntegrator::splat(const std::optional<Contribution>& c, int s, int t, FilmTile& tile) const {
     if (!c) return;
     const Rgb value = weigh(*c, s, t);
-    if (!is_black(value)) tile.add_splat(c->raster, value);
+    if (tile.add_splat(c->raster, value) && images_) images_->add_splat(*c, s, t, tile);
 }
 
 }  // namespace etendue

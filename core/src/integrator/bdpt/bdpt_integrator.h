@@ -1,7 +1,11 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "integrator/bdpt/connection.h"
 #include "integrator/bdpt/strategies.h"
+#include "integrator/bdpt/strategy_images.h"
 #include "integrator/bdpt/subpath.h"
 #include "integrator/integrator.h"
 
@@ -18,6 +22,7 @@ public:
 
     void render(const WorkUnit& unit, FilmTile& tile) const override;
     [[nodiscard]] std::uint64_t light_paths_per_pass() const override;
+    [[nodiscard]] std::vector<Strategy> image_strategies() const override;
 
 private:
     void trace_light_paths(const WorkUnit& unit, std::uint64_t begin, std::uint64_t end, LightSubpath& path,
@@ -37,6 +42,7 @@ private:
     ActiveStrategies active_;
     SubpathTracer tracer_;
     Connector connector_;
+    std::optional<StrategyImages> images_;  ///< empty unless asked for
 };
 
 }  // namespace etendue
