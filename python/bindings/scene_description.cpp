@@ -250,8 +250,12 @@ void bind_cameras(py::module_& module) {
         .value("AdjustApertureHeight", ApertureConform::AdjustApertureHeight)
         .value("AdjustPixelAspect", ApertureConform::AdjustPixelAspect);
 
+    py::enum_<CameraProjection>(module, "CameraProjection")
+        .value("Perspective", CameraProjection::Perspective)
+        .value("Orthographic", CameraProjection::Orthographic);
+
     py::class_<CameraDesc> camera(module, "CameraDesc");
-    camera.def_readwrite("name", &CameraDesc::name);
+    camera.def_readwrite("name", &CameraDesc::name).def_readwrite("projection", &CameraDesc::projection);
     def_matrix(camera, "world_from_camera", &CameraDesc::world_from_camera);
     camera.def_readwrite("horizontal_aperture", &CameraDesc::horizontal_aperture)
         .def_readwrite("vertical_aperture", &CameraDesc::vertical_aperture)

@@ -128,6 +128,22 @@ class LightKind:
     def __ne__(self, other: object, /) -> bool: ...
 
 @final
+class CameraProjection:
+    Perspective: CameraProjection
+    Orthographic: CameraProjection
+    __members__: dict[str, CameraProjection]
+    def __init__(self, value: int) -> None: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def value(self) -> int: ...
+    def __int__(self) -> int: ...
+    def __index__(self) -> int: ...
+    def __hash__(self) -> int: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __ne__(self, other: object, /) -> bool: ...
+
+@final
 class ApertureConform:
     ExpandAperture: ApertureConform
     CropAperture: ApertureConform
@@ -624,6 +640,7 @@ class CameraDesc:
         self,
         *,
         name: str = ...,
+        projection: CameraProjection = ...,
         world_from_camera: npt.ArrayLike = ...,
         horizontal_aperture: float = ...,
         vertical_aperture: float = ...,
@@ -635,6 +652,7 @@ class CameraDesc:
         exposure_scale: float = ...,
     ) -> None: ...
     name: str
+    projection: CameraProjection
     @property
     def world_from_camera(self) -> _Matrix: ...
     @world_from_camera.setter

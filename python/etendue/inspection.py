@@ -76,7 +76,7 @@ def inspect_contents(contents: StageContents) -> Inspection:
         source=contents.source,
         frame=contents.frame,
         prims=dict(sorted(contents.prims.items())),
-        cameras=contents.cameras.perspective,
+        cameras=contents.cameras,
         render_settings=contents.settings.path,
         resolution=contents.settings.resolution,
         geometries=_counts(_name(geometry, "Desc") for geometry in geometries),

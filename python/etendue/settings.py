@@ -122,27 +122,17 @@ def render_settings(
 def _camera_index(contents: StageContents, camera: str | None) -> int:
     """By prim path, or by prim name when only one camera has it."""
     cameras = contents.cameras
-    known = ", ".join(cameras.perspective) or "none"
+    known = ", ".join(cameras) or "none"
     wanted = camera or contents.settings.camera
     if wanted is None:
-        if cameras.perspective:
+        if cameras:
             return 0
-        if cameras.orthographic:
-            raise _core.SceneError(
-                f"{contents.source}: the stage has orthographic cameras only, which are not "
-                f"supported: {', '.join(cameras.orthographic)}"
-            )
         raise _core.SceneError(f"{contents.source}: the stage has no camera")
-    if wanted in cameras.perspective:
-        return cameras.perspective.index(wanted)
-    if wanted in cameras.orthographic:
-        raise _core.SceneError(
-            f"{contents.source}: camera {wanted} is orthographic, which is not supported; "
-            f"perspective cameras: {known}"
-        )
-    named = [path for path in cameras.perspective if path.rsplit("/", 1)[-1] == wanted]
+    if wanted in cameras:
+        return cameras.index(wanted)
+    named = [path for path in cameras if path.rsplit("/", 1)[-1] == wanted]
     if len(named) == 1:
-        return cameras.perspective.index(named[0])
+        return cameras.index(named[0])
     raise _core.SettingsError(
         f"{contents.source}: '{wanted}' is not a camera of the stage; cameras: {known}"
     )

@@ -36,7 +36,7 @@ class Stage:
     @property
     def cameras(self) -> tuple[str, ...]:
         """Prim paths of the cameras that can be rendered from."""
-        return self._contents.cameras.perspective
+        return self._contents.cameras
 
     @property
     def warnings(self) -> tuple[StageWarning, ...]:

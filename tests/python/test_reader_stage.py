@@ -36,7 +36,7 @@ def test_camera(build: StageBuilder) -> None:
     camera.CreateExposureIsoAttr(200.0)
     contents = build.read()
     (desc,) = contents.scene.cameras
-    assert contents.cameras.perspective == ("/Camera",)
+    assert contents.cameras == ("/Camera",)
     assert (desc.horizontal_aperture, desc.vertical_aperture) == (36, 24)
     assert (desc.horizontal_aperture_offset, desc.vertical_aperture_offset) == (1, 2)
     assert desc.focal_length == 35
@@ -55,18 +55,20 @@ def test_camera_at_a_frame(build: StageBuilder) -> None:
 
 def test_invisible_cameras_count(build: StageBuilder) -> None:
     build.camera().MakeInvisible()
-    assert build.read().cameras.perspective == ("/Camera",)
+    assert build.read().cameras == ("/Camera",)
 
 
-def test_orthographic_cameras_are_told_once(build: StageBuilder) -> None:
-    build.camera("/A", projection="orthographic")
-    build.camera("/B", projection="orthographic")
-    build.camera("/C")
+def test_orthographic_camera(build: StageBuilder) -> None:
+    build.camera("/A", projection="orthographic", horizontalAperture=40.0)
+    build.camera("/B")
     contents = build.read()
-    assert contents.cameras.orthographic == ("/A", "/B")
-    assert contents.cameras.perspective == ("/C",)
-    (warning,) = contents.warnings
-    assert warning.path == "/A"
+    assert contents.cameras == ("/A", "/B")
+    assert [camera.projection for camera in contents.scene.cameras] == [
+        _core.CameraProjection.Orthographic,
+        _core.CameraProjection.Perspective,
+    ]
+    assert contents.scene.cameras[0].horizontal_aperture == 40
+    assert contents.warnings == ()
 
 
 # ----------------------------------------------------------------------------------- RenderSettings

@@ -6,6 +6,7 @@ namespace etendue::test {
 namespace {
 
 bool takes_part(const PathDensities& path, const ActiveStrategies& active, std::size_t s, std::size_t t) {
+    if (path.one_direction && s > 0) return false;
     if (s == 0) return active.emission_hit && !path.light_is_delta;
     if (t == 0) return active.lens_hit && path.has_lens && !(s == 2 && path.light_is_delta);
     // Vertices s - 1 and s are joined: neither may be a delta.

@@ -17,6 +17,7 @@ struct PathDensities {
     double direct = 0;           ///< density of vertex 0 by next-event estimation
     bool light_is_delta = false;
     bool has_lens = false;
+    bool one_direction = false;  ///< from infinity to a camera of parallel rays: only the camera knows the direction
 };
 
 /// The weight of the strategy with s light vertices, s = 0 ... k + 1, by products over the whole path in logarithms;

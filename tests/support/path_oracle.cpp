@@ -56,7 +56,9 @@ PathDensities path_densities(const WholePath& path, const RenderContext& context
     const Light& light = context.scene.light(path.light);
     std::vector<Node> nodes{{path.y.p, path.y.n, light.infinite()}};
     for (const PathVertex& v : path.surfaces) nodes.push_back({v.p, v.n_g});
-    nodes.push_back({path.lens, context.camera.forward()});
+    const bool parallel = context.camera.orthographic();
+    const Vec3& forward = context.camera.forward();
+    nodes.push_back({parallel ? -forward : path.lens, forward, parallel});  // as if it were at infinity
     const std::size_t k = nodes.size() - 1;
 
     PathDensities d;
@@ -72,10 +74,9 @@ PathDensities path_densities(const WholePath& path, const RenderContext& context
     d.light[1] = to_area(nodes[0], nodes[1], emission.pdf_dir);
 
     const Vec3 ray = direction(nodes[k], nodes[k - 1]);
-    // Uniform over the lens, whose area shows in how it samples a point (1 for a pinhole).
-    const auto lens = context.camera.sample_lens_towards(ray, {0.5, 0.5});
-    d.camera[k] = lens->pdf_lens;
-    d.camera[k - 1] = to_area(nodes[k], nodes[k - 1], context.camera.pdf_dir(nodes[k].p, ray));
+    d.camera[k] = context.camera.generate_ray({}, {}).pdf_lens;
+    d.camera[k - 1] = to_area(nodes[k], nodes[k - 1], context.camera.pdf_dir(path.lens, ray));
+    d.one_direction = parallel && nodes[k - 1].infinite;
 
     for (std::size_t i = 1; i < k; ++i) {
         const PathVertex& v = path.surfaces[i - 1];

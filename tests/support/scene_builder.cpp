@@ -139,6 +139,15 @@ int SceneBuilder::camera(const Vec3& from, const Vec3& to, double field_of_view_
     return static_cast<int>(scene_.cameras.size()) - 1;
 }
 
+void SceneBuilder::orthographic(const Vec3& from, const Vec3& to, double width) {
+    CameraDesc desc;
+    desc.name = "/orthographic";
+    desc.projection = CameraProjection::Orthographic;
+    desc.world_from_camera = look_at(from, to);
+    desc.horizontal_aperture = desc.vertical_aperture = 10 * width;
+    scene_.cameras = {desc};
+}
+
 void SceneBuilder::lens(double radius, double focus_distance) {
     CameraDesc& desc = scene_.cameras.back();
     desc.f_stop = desc.focal_length / 10 / (2 * radius);

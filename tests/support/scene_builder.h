@@ -27,6 +27,8 @@ public:
     int rect_light(const Vec3& center, const Vec3& direction, double width, double height, double intensity);
 
     int camera(const Vec3& from, const Vec3& to, double field_of_view_degrees);
+    /// The only camera from now on; sees a square of that width.
+    void orthographic(const Vec3& from, const Vec3& to, double width);
     /// Gives the last camera a lens.
     void lens(double radius, double focus_distance);
 

@@ -187,6 +187,22 @@ SceneDescription lens_box() {
     return b.scene();
 }
 
+SceneDescription orthographic_box() {
+    SceneBuilder b = lit_box(0.6);
+    b.shape(CubeDesc{0.8}, b.diffuse(0.8), translation({-0.3, -0.6, -0.2}));
+    b.orthographic({0.3, -0.7, 3}, {0, 0, 0}, 2.1);
+    return b.scene();
+}
+
+SceneDescription orthographic_sky() {
+    SceneDescription scene = sky();
+    CameraDesc& camera = scene.cameras[0];
+    camera.projection = CameraProjection::Orthographic;
+    camera.horizontal_aperture = camera.vertical_aperture = 40;
+    camera.world_from_camera = look_at({0, 0.8, 5}, {0, 0.6, 0});  // past the plane's edge
+    return scene;
+}
+
 SceneDescription instanced_box() {
     SceneBuilder b = lit_box(0.6);
     SceneDescription& scene = b.scene();

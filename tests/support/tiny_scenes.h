@@ -19,6 +19,8 @@ namespace etendue::test {
 [[nodiscard]] SceneDescription light_crowd();         ///< 300 small lamps that face everywhere, and a faint dome
 [[nodiscard]] SceneDescription delta_lights();        ///< point and delta sun
 [[nodiscard]] SceneDescription lens_box();            ///< wide thin lens before the diffuse box
+[[nodiscard]] SceneDescription orthographic_box();    ///< orthographic view from below, the lamp in the picture
+[[nodiscard]] SceneDescription orthographic_sky();    ///< orthographic view of the sky's scene, the sky in the picture
 [[nodiscard]] SceneDescription instanced_box();       ///< mirrored, scaled instances, some glowing
 [[nodiscard]] SceneDescription pool();                ///< small lamp over water, seen from the waterline
 [[nodiscard]] SceneDescription coordinate_planes();   ///< lights that lie exactly in the planes z = 0 and y = 0

@@ -220,10 +220,14 @@ enum class ApertureConform {
     AdjustPixelAspect
 };
 
-/// A perspective UsdGeomCamera. Apertures and focal length are in tenths of a scene unit, distances in scene units.
-/// The camera looks down its -Z with +Y up.
+enum class CameraProjection { Perspective, Orthographic };
+
+/// A UsdGeomCamera. Apertures and focal length are in tenths of a scene unit, distances in scene units. The camera
+/// looks down its -Z with +Y up. Orthographic: the apertures are the width and height of what is seen, from the
+/// camera's own plane on; focal length, f-stop and focus distance have no meaning.
 struct CameraDesc {
     std::string name;
+    CameraProjection projection = CameraProjection::Perspective;
     Matrix4 world_from_camera;
     double horizontal_aperture = 20.955;
     double vertical_aperture = 15.2908;

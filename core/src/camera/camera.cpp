@@ -26,7 +26,9 @@ void require_not_negative(const CameraDesc& camera, double value, const char* at
 void check_attributes(const CameraDesc& camera, int width, int height) {
     require_positive(camera, camera.horizontal_aperture, "horizontal aperture");
     require_positive(camera, camera.vertical_aperture, "vertical aperture");
-    require_positive(camera, camera.focal_length, "focal length");
+    if (camera.projection == CameraProjection::Perspective) {
+        require_positive(camera, camera.focal_length, "focal length");
+    }
     require_not_negative(camera, camera.f_stop, "f-stop");
     require_not_negative(camera, camera.focus_distance, "focus distance");
     require_not_negative(camera, camera.exposure_scale, "exposure scale");
@@ -87,15 +89,17 @@ Camera::Camera(const CameraDesc& desc, int width, int height, ApertureConform co
 
     const Aperture aperture =
         conformed({desc.horizontal_aperture, desc.vertical_aperture}, static_cast<double>(width) / height, conform);
+    orthographic_ = desc.projection == CameraProjection::Orthographic;
+    constexpr double kUnitsPerTenth = 0.1;
     // Aperture and focal length share their unit, so the plane at distance 1 needs none.
-    plane_left_ = (desc.horizontal_aperture_offset - aperture.width / 2) / desc.focal_length;
-    plane_top_ = (desc.vertical_aperture_offset + aperture.height / 2) / desc.focal_length;
-    plane_per_pixel_x_ = aperture.width / desc.focal_length / width;
-    plane_per_pixel_y_ = aperture.height / desc.focal_length / height;
+    const double plane_per_aperture = orthographic_ ? kUnitsPerTenth : 1 / desc.focal_length;
+    plane_left_ = (desc.horizontal_aperture_offset - aperture.width / 2) * plane_per_aperture;
+    plane_top_ = (desc.vertical_aperture_offset + aperture.height / 2) * plane_per_aperture;
+    plane_per_pixel_x_ = aperture.width * plane_per_aperture / width;
+    plane_per_pixel_y_ = aperture.height * plane_per_aperture / height;
 
     // Focus distance 0 is the schema's "not set": without a focus there is no lens.
-    if (desc.f_stop > 0 && desc.focus_distance > 0) {
-        constexpr double kUnitsPerTenth = 0.1;
+    if (!orthographic_ && desc.f_stop > 0 && desc.focus_distance > 0) {
         lens_radius_ = desc.focal_length * kUnitsPerTenth / (2 * desc.f_stop);
         focus_distance_ = desc.focus_distance;
     }
@@ -113,10 +117,15 @@ Vec3 Camera::lens_point(const Vec2& u_lens) const {
 CameraRay Camera::generate_ray(const Vec2& raster, const Vec2& u_lens) const {
     const double x = plane_left_ + raster.x * plane_per_pixel_x_;
     const double y = plane_top_ - raster.y * plane_per_pixel_y_;
-    const Vec3 focus = (forward_ + right_ * x + up_ * y) * focus_distance_;  // relative to the lens centre
     CameraRay ray;
-    ray.origin = lens_point(u_lens);
-    ray.direction = normalize(focus - (ray.origin - position_));
+    if (orthographic_) {
+        ray.origin = position_ + right_ * x + up_ * y;
+        ray.direction = forward_;
+    } else {
+        const Vec3 focus = (forward_ + right_ * x + up_ * y) * focus_distance_;  // relative to the lens centre
+        ray.origin = lens_point(u_lens);
+        ray.direction = normalize(focus - (ray.origin - position_));
+    }
     ray.weight = exposure_scale_;
     ray.pdf_lens = pdf_lens();
     ray.pdf_dir = pdf_dir(ray.origin, ray.direction);
@@ -128,17 +137,20 @@ double Camera::pdf_dir(const Vec3&, const Vec3& direction) const {
     // from whichever point of the lens; the plane at distance 1 is D^2 times smaller.
     const double cos = dot(direction, forward_);
     if (cos <= 0) return 0;
+    if (orthographic_) return 1 / (plane_per_pixel_x_ * plane_per_pixel_y_);
     return 1 / (cos * cos * cos * plane_per_pixel_x_ * plane_per_pixel_y_);
 }
 
 Vec2 Camera::raster_of(const Vec3& z0, const Vec3& direction) const {
-    const Vec3 on_plane = (z0 - position_) / focus_distance_ + direction / dot(direction, forward_);
+    Vec3 on_plane = z0 - position_;
+    if (!orthographic_) on_plane = on_plane / focus_distance_ + direction / dot(direction, forward_);
     return {(dot(on_plane, right_) - plane_left_) / plane_per_pixel_x_,
             (plane_top_ - dot(on_plane, up_)) / plane_per_pixel_y_};
 }
 
 std::optional<LensSample> Camera::sample_lens(const Vec3& p, const Vec2& u_lens) const {
     if (depth(p) <= 0) return {};
+    if (orthographic_) return sample_plane(p);
     const Vec3 origin = lens_point(u_lens);
     const Vec3 d = p - origin;
     const double distance = length(d);
@@ -149,7 +161,14 @@ std::optional<LensSample> Camera::sample_lens(const Vec3& p, const Vec2& u_lens)
     return sample;
 }
 
+std::optional<LensSample> Camera::sample_plane(const Vec3& p) const {
+    std::optional<LensSample> sample = lens_sample(p - forward_ * depth(p), forward_);
+    sample->distance = depth(p);
+    return sample;
+}
+
 std::optional<LensSample> Camera::sample_lens_towards(const Vec3& direction, const Vec2& u_lens) const {
+    if (orthographic_) return {};
     return lens_sample(lens_point(u_lens), direction);
 }
 

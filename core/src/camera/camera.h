@@ -15,7 +15,9 @@ struct CameraRay {
     Vec3 direction;       ///< unit, into the scene
     double weight = 1;    ///< We |cos| / (pdf_lens pdf_dir): the exposure scale
     double pdf_lens = 1;  ///< per area; 1 for a pinhole
-    double pdf_dir = 0;   ///< per solid angle, for a raster density of one sample per pixel area
+    /// For a raster density of one sample per pixel area: per solid angle; of an orthographic camera, whose direction
+    /// is no choice, per area perpendicular to it.
+    double pdf_dir = 0;
 };
 
 /// A point on the lens joined to a point of the scene (strategies t = 1).
@@ -24,7 +26,7 @@ struct LensSample {
     Vec3 direction;  ///< unit, from z0 to the point
     double distance = 0;
     Vec2 raster;        ///< continuous pixel coordinates, y down; may lie outside the image
-    double weight = 0;  ///< We |cos z0| / (d^2 pdf_lens)
+    double weight = 0;  ///< We |cos z0| / (d^2 pdf_lens), without d^2 for an orthographic camera
     double pdf_lens = 1;
     double pdf_dir = 0;  ///< as CameraRay::pdf_dir
 };
@@ -39,29 +41,34 @@ struct LensHit {
     double pdf_dir = 0;
 };
 
-/// Pinhole or thin-lens perspective camera. We is normalised per pixel: the mean radiance over a pixel's filter is the
+/// Pinhole, thin-lens or orthographic camera. An orthographic one is the counterpart of a distant light without extent:
+/// its rays have one direction, and a point of the scene is seen from one point of its plane. Joining points to it
+/// (t = 1) works as for a pinhole, with areas perpendicular to the direction in place of solid angles. Light from
+/// infinity joins to it with probability zero, and light never finds it by chance (t = 0).
+/// We is normalised per pixel: the mean radiance over a pixel's filter is the
 /// pixel's value, times the exposure scale. pdf_dir and We extend beyond the image's edge, for filters that reach
 /// across it.
 class Camera {
 public:
     /// Gives UsdGeomCamera its meaning: apertures, offsets, conform policy, tenths of units. Scale, shear and mirroring
-    /// of the transform do not count. An f-stop without a focus distance makes a pinhole. Throws SceneError or
-    /// SettingsError naming the camera.
+    /// of the transform do not count. An f-stop without a focus distance makes a pinhole; orthographic cameras heed
+    /// neither, nor the focal length. Throws SceneError or SettingsError naming the camera.
     Camera(const CameraDesc& desc, int width, int height, ApertureConform conform);
 
     [[nodiscard]] CameraRay generate_ray(const Vec2& raster, const Vec2& u_lens) const;
-    /// Empty when `p` is behind the lens.
+    /// Empty when `p` is behind the lens, or the orthographic camera's plane.
     [[nodiscard]] std::optional<LensSample> sample_lens(const Vec3& p, const Vec2& u_lens) const;
     /// The same for something infinitely far along the unit `direction`: the distance is infinite and the weight
-    /// We |cos z0| / pdf_lens.
+    /// We |cos z0| / pdf_lens. Empty for an orthographic camera.
     [[nodiscard]] std::optional<LensSample> sample_lens_towards(const Vec3& direction, const Vec2& u_lens) const;
-    /// Density per solid angle with which the camera sends a ray from z0 along `direction`; 0 backwards.
+    /// Density with which the camera sends a ray from z0 along `direction`, as CameraRay::pdf_dir; 0 backwards.
     [[nodiscard]] double pdf_dir(const Vec3& z0, const Vec3& direction) const;
     /// Where a ray from `origin` along the unit `direction` crosses the lens from the front, nearer than t_max. Empty
-    /// for a pinhole.
+    /// without a lens.
     [[nodiscard]] std::optional<LensHit> hit_lens(const Vec3& origin, const Vec3& direction, double t_max) const;
 
     [[nodiscard]] bool has_lens() const { return lens_radius_ > 0; }
+    [[nodiscard]] bool orthographic() const { return orthographic_; }
     [[nodiscard]] const Vec3& forward() const { return forward_; }
     /// Centre of the lens.
     [[nodiscard]] const Vec3& position() const { return position_; }
@@ -71,6 +78,8 @@ public:
 private:
     /// Continuous pixel coordinates of the ray z0 + t direction.
     [[nodiscard]] Vec2 raster_of(const Vec3& z0, const Vec3& direction) const;
+    /// The point of the orthographic camera's plane that sees p.
+    [[nodiscard]] std::optional<LensSample> sample_plane(const Vec3& p) const;
     [[nodiscard]] Vec3 lens_point(const Vec2& u_lens) const;
     /// A sample at infinity; empty backwards.
     [[nodiscard]] std::optional<LensSample> lens_sample(const Vec3& origin, const Vec3& direction) const;
@@ -83,7 +92,8 @@ private:
     double lens_radius_ = 0;     ///< scene units
     double focus_distance_ = 1;  ///< scene units, along the axis
     double exposure_scale_ = 1;
-    double plane_left_ = 0;  ///< image window on the plane at distance 1
+    bool orthographic_ = false;
+    double plane_left_ = 0;  ///< image window on the plane at distance 1; of an orthographic camera in scene units
     double plane_top_ = 0;
     double plane_per_pixel_x_ = 0;
     double plane_per_pixel_y_ = 0;

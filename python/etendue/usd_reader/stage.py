@@ -11,7 +11,7 @@ from typing import TypeAlias
 from pxr import Tf, Usd, UsdUtils
 
 from etendue import _core
-from etendue.usd_reader.camera import Cameras, read_cameras
+from etendue.usd_reader.camera import read_cameras
 from etendue.usd_reader.context import ReadContext, Scratch
 from etendue.usd_reader.products import StageSettings, read_settings
 from etendue.usd_reader.report import StageWarning
@@ -29,7 +29,7 @@ class StageContents:
     prims: dict[str, int]  # by type name, inactive and abstract prims left out
     scene: _core.SceneDescription
     settings: StageSettings
-    cameras: Cameras
+    cameras: tuple[str, ...]
     warnings: tuple[StageWarning, ...]
     scratch: Scratch  # textures of the scene may live in it
 

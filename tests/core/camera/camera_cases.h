@@ -43,6 +43,14 @@ inline CameraDesc pinhole() {
     return desc;
 }
 
+/// A lens is asked for, and not had.
+inline CameraDesc orthographic() {
+    CameraDesc desc = thin_lens();
+    desc.name = "/orthographic";
+    desc.projection = CameraProjection::Orthographic;
+    return desc;
+}
+
 inline constexpr int kWidth = 64;
 inline constexpr int kHeight = 40;
 

@@ -233,6 +233,11 @@ TEST_P(CameraFlux, CameraRaysLensSamplesAndLensHitsAgree) {
 
 INSTANTIATE_TEST_SUITE_P(Cameras, CameraMeasure, testing::ValuesIn(test::cameras()), test::case_name);
 INSTANTIATE_TEST_SUITE_P(Cameras, CameraFlux, testing::ValuesIn(test::cameras()), test::case_name);
+INSTANTIATE_TEST_SUITE_P(Orthographic, CameraFlux,
+                         testing::Values(test::CameraCase{"Plain", test::orthographic()},
+                                         test::CameraCase{"Stretched", test::orthographic(),
+                                                          ApertureConform::AdjustPixelAspect}),
+                         test::case_name);
 
 }  // namespace
 }  // namespace etendue

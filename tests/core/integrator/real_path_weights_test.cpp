@@ -216,7 +216,7 @@ TEST_P(RealPaths, WeightsEqualTheOracle) {
     const SceneDescription scene = GetParam().scene();
     for (const MisHeuristic heuristic : {MisHeuristic::Balance, MisHeuristic::Power}) {
         Checker checker(scene, heuristic);
-        checker.run(800);
+        checker.run(900);
         EXPECT_GT(checker.checked, 1000);
         // Paths in corners are allowed more; most must be held closely, or nothing was shown.
         std::nth_element(checker.tolerances.begin(), checker.tolerances.begin() + checker.checked / 2,
@@ -231,7 +231,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, RealPaths,
                                          Case{"mirror_box", mirror_box}, Case{"smooth_normals_box", smooth_normals_box},
                                          Case{"sky", sky}, Case{"many_lights", many_lights},
                                          Case{"light_crowd", light_crowd}, Case{"delta_lights", delta_lights},
-                                         Case{"lens_box", lens_box}, Case{"instanced_box", instanced_box}),
+                                         Case{"lens_box", lens_box}, Case{"orthographic_box", orthographic_box},
+                                         Case{"orthographic_sky", orthographic_sky},
+                                         Case{"instanced_box", instanced_box}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

@@ -110,6 +110,10 @@ double Connector::lens_ratio(double pdf_to_lens, const LensSample& lens) const {
     return pdf_to_lens * area / lens.pdf_lens;
 }
 
+double Connector::area_from_lens(const LensSample& lens, const Vec3& p, const Vec3& n_g) const {
+    return context_.camera.orthographic() ? abs_dot(lens.direction, n_g) : area_per_solid_angle(lens.origin, p, n_g);
+}
+
 std::optional<Contribution> Connector::to_lens(const Vertex& y, Rng& rng, std::uint64_t& rays) const {
     const auto lens = context_.camera.sample_lens(y.si.p, rng.next_2d());
     if (!lens || !on_film(lens->raster)) return {};
@@ -118,7 +122,7 @@ std::optional<Contribution> Connector::to_lens(const Vertex& y, Rng& rng, std::u
     Contribution c{y.beta * f * lens->weight, 0, lens->raster};
     if (is_black(c.value)) return {};
 
-    const double pdf_y = lens->pdf_dir * area_per_solid_angle(lens->origin, y.si.p, y.si.n_g);
+    const double pdf_y = lens->pdf_dir * area_from_lens(*lens, y.si.p, y.si.n_g);
     c.weight = weight_light_image(heuristic_, y.mis, pdf_y, y.bsdf->pdf(w, y.wo), active_.light_paths,
                                   lens_ratio(y.bsdf->pdf(y.wo, w), *lens));
 
@@ -140,7 +144,7 @@ std::optional<Contribution> Connector::start_to_lens(const LightStart& start, Rn
     Contribution c{light.radiance(start.y, w) * (cos_y * lens->weight / start.pdf_point), 0, lens->raster};
     if (is_black(c.value)) return {};
 
-    const double area_y = infinite ? 1 : area_per_solid_angle(lens->origin, start.y.p, start.y.n);
+    const double area_y = infinite ? 1 : area_from_lens(*lens, start.y.p, start.y.n);
     const double hit_ratio = active_.emission_hit ? lens->pdf_dir * area_y / start.pdf_point : 0;
     c.weight = weight_light_image_of_start(heuristic_, hit_ratio, active_.light_paths,
                                            lens_ratio(light.pdf_emission(start.y, w).pdf_dir, *lens));

@@ -48,6 +48,8 @@ private:
                                                  const Vec3& w) const;
     /// Density of the lens point from the vertex that it was joined to, over that of the lens sample.
     [[nodiscard]] double lens_ratio(double pdf_to_lens, const LensSample& lens) const;
+    /// Turns the lens sample's pdf_dir into a density per area at p.
+    [[nodiscard]] double area_from_lens(const LensSample& lens, const Vec3& p, const Vec3& n_g) const;
     [[nodiscard]] bool on_film(const Vec2& raster) const;
 
     const RenderContext& context_;

@@ -14,12 +14,12 @@ struct SubpathTracer::Walk {
     Vec3 n_from;  ///< geometric normal at `from`; zero for a point light
     Rgb beta;
     Roulette roulette;
-    double pdf_fwd = 0;   ///< of the ray's direction; per perpendicular area when the light is at infinity
+    double pdf_fwd = 0;   ///< of the ray's direction; per perpendicular area `from_infinity`
     double pdf_back = 0;  ///< from `from` to its own predecessor
     bool delta = false;
     double radiance_scale = 1;
-    MisState mis{};  ///< of the vertex at `from`; unused at the endpoint
-    bool from_infinity = false;
+    MisState mis{};              ///< of the vertex at `from`; unused at the endpoint
+    bool from_infinity = false;  ///< from a light there, or an orthographic camera, as if it were there
 };
 
 namespace {
@@ -165,14 +165,21 @@ void SubpathTracer::trace_camera(const Vec2& raster, Rng& rng, CameraSubpath& pa
               .from = first.origin,
               .n_from = context_.camera.forward(),
               .beta = Rgb(first.weight),
-              .roulette = Roulette(context_.settings.roulette_depth, Rgb(first.weight))};
+              .roulette = Roulette(context_.settings.roulette_depth, Rgb(first.weight)),
+              .from_infinity = context_.camera.orthographic()};
     for (int depth = 0;; ++depth) {
         ++rays;
         const auto si = context_.scene.intersect(walk.ray);
         SegmentMeasure m{1, abs_dot(walk.ray.direction, walk.n_from)};  // to infinity
         if (si) m = measure_segment(walk.from, walk.n_from, si->p, si->n_g);
+        if (si && walk.from_infinity) m = {abs_dot(walk.ray.direction, si->n_g), 1};
         if (!(m.to > 0)) return;
-        const MisState mis = depth == 0 ? first_camera_state(first, m.to, m.from) : arrive(walk, m.to, m.from);
+        MisState mis;
+        if (depth > 0) {
+            mis = arrive(walk, m.to, m.from);
+        } else if (si || !walk.from_infinity) {  // no light sample has the one direction of parallel rays
+            mis = first_camera_state(first, m.to, m.from);
+        }
         if (!si) {
             path.escape = {walk.ray.direction, walk.beta, mis, walk.from, depth + 2};
             return;
