@@ -338,6 +338,29 @@ TEST(Crop, IsThatPartOfTheWhole) {
     }
 }
 
+/// Most of what such a crop gathers lands outside of it, and its light paths, less than one by the pixel, still spread
+/// over the whole picture.
+TEST(Crop, MayBeNarrowerThanTheFilter) {
+    const SceneDescription scene = diffuse_box();
+    RenderSettings settings = small_settings(IntegratorKind::Light, kSize, 80);
+    settings.max_depth = 3;
+    for (const PixelFilter& filter : {PixelFilter{FilterKind::Gaussian, 4}, PixelFilter{FilterKind::Triangle, 3},
+                                      PixelFilter{FilterKind::Box, 2}}) {
+        SCOPED_TRACE(static_cast<int>(filter.kind));
+        settings.filter = filter;
+        settings.crop.reset();
+        settings.light_paths_per_pixel = 1;
+        const Replicas whole = render_replicas(scene, settings, kReplicas, 1);
+        for (const PixelWindow& window : {PixelWindow{0, 0, 1, 1}, PixelWindow{9, 4, 12, 6}}) {
+            settings.crop = window;
+            RenderSettings crop = settings;
+            crop.samples_per_pixel = 40 * settings.samples_per_pixel;
+            crop.light_paths_per_pixel = 0.4;
+            EXPECT_TRUE(same_picture(cut(whole, window), render_replicas(scene, crop, kReplicas, 2), 0.06));
+        }
+    }
+}
+
 TEST(PixelFilter, IsTheSameForSamplesAndSplats) {
     const SceneDescription scene = many_lights();
     for (const PixelFilter& filter :

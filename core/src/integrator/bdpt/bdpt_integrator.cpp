@@ -12,7 +12,9 @@ namespace {
 std::uint64_t count_light_paths(const RenderContext& context) {
     const PixelWindow& w = context.window;
     const double pixels = static_cast<double>(w.x1 - w.x0) * (w.y1 - w.y0);
-    return static_cast<std::uint64_t>(std::llround(pixels * context.settings.light_paths_per_pixel));
+    const double wanted = pixels * context.settings.light_paths_per_pixel;
+    // The smallest crop has one: without any, what only light paths see would be missing.
+    return wanted > 0 ? static_cast<std::uint64_t>(std::max(1LL, std::llround(wanted))) : 0;
 }
 
 ActiveStrategies resolve(const RenderContext& context, const StrategySet& asked) {
