@@ -96,7 +96,8 @@ void bind_materials(py::module_& module) {
     dielectric.def_readwrite("ior", &DielectricMaterial::ior)
         .def_readwrite("roughness", &DielectricMaterial::roughness)
         .def_readwrite("reflection_tint", &DielectricMaterial::reflection_tint)
-        .def_readwrite("transmission_tint", &DielectricMaterial::transmission_tint);
+        .def_readwrite("transmission_tint", &DielectricMaterial::transmission_tint)
+        .def_readwrite("transmission_depth", &DielectricMaterial::transmission_depth);
     def_keyword_constructor<DielectricMaterial>(dielectric);
 
     py::enum_<PreviewOpacityMode>(module, "PreviewOpacityMode")
@@ -126,6 +127,7 @@ void bind_materials(py::module_& module) {
         .def_readwrite("specular_ior", &OpenPbrMaterial::specular_ior)
         .def_readwrite("transmission_weight", &OpenPbrMaterial::transmission_weight)
         .def_readwrite("transmission_color", &OpenPbrMaterial::transmission_color)
+        .def_readwrite("transmission_depth", &OpenPbrMaterial::transmission_depth)
         .def_readwrite("geometry_opacity", &OpenPbrMaterial::geometry_opacity);
     def_keyword_constructor<OpenPbrMaterial>(open_pbr);
     module.attr("MaterialModel") = diffuse | conductor | dielectric | preview | open_pbr;

@@ -336,11 +336,13 @@ class DielectricMaterial:
         roughness: FloatInput = ...,
         reflection_tint: ColorInput = ...,
         transmission_tint: ColorInput = ...,
+        transmission_depth: float = ...,
     ) -> None: ...
     ior: float
     roughness: FloatInput
     reflection_tint: ColorInput
     transmission_tint: ColorInput
+    transmission_depth: float
 
 class PreviewSurfaceMaterial:
     def __init__(
@@ -383,6 +385,7 @@ class OpenPbrMaterial:
         specular_ior: float = ...,
         transmission_weight: FloatInput = ...,
         transmission_color: ColorInput = ...,
+        transmission_depth: float = ...,
         geometry_opacity: FloatInput = ...,
     ) -> None: ...
     base_weight: FloatInput
@@ -394,6 +397,7 @@ class OpenPbrMaterial:
     specular_ior: float
     transmission_weight: FloatInput
     transmission_color: ColorInput
+    transmission_depth: float
     geometry_opacity: FloatInput
 
 MaterialModel = (

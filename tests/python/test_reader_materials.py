@@ -226,6 +226,16 @@ def test_open_pbr_emission_is_off_by_default(build: StageBuilder) -> None:
     assert material(build.read()).emission.value == [0, 0, 0]
 
 
+def test_open_pbr_absorption(build: StageBuilder) -> None:
+    color = (0.8, 0.6, 0.4)
+    bound(build, OPEN_PBR, transmission_color=color, transmission_depth=2.5)
+    contents = build.read()
+    model = open_pbr(contents)
+    assert model.transmission_color.value == pytest.approx(list(color))
+    assert model.transmission_depth == 2.5
+    assert contents.warnings == ()
+
+
 def test_open_pbr_unsupported_inputs(build: StageBuilder) -> None:
     for path in ("/A", "/B"):
         build.material(
@@ -233,7 +243,7 @@ def test_open_pbr_unsupported_inputs(build: StageBuilder) -> None:
             path,
             coat_weight=0.5,
             thin_film_weight=0.0,
-            transmission_depth=1.0,
+            transmission_scatter=(0.1, 0.0, 0.0),
             fuzz_color=(1.0, 0.0, 0.0),
             geometry_thin_walled=True,
         )
@@ -244,7 +254,7 @@ def test_open_pbr_unsupported_inputs(build: StageBuilder) -> None:
     ] * 3
     text = warning_texts(contents)
     assert "'coat_weight' is not supported; rendered without it" in text
-    assert "'transmission_depth' is not supported; transmission_color tints" in text
+    assert "'transmission_scatter' is not supported; rendered without it" in text
     assert "'geometry_thin_walled'" in text
 
 

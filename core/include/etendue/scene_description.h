@@ -69,12 +69,15 @@ struct ConductorMaterial {
 };
 
 /// Interface between the outside (index 1) and the inside (index ior) of a closed surface; inside is against the
-/// geometric normal. Roughness is perceptual, alpha = roughness^2; 0 is smooth.
+/// geometric normal. Roughness is perceptual, alpha = roughness^2; 0 is smooth. transmission_tint colours every
+/// crossing; with a transmission_depth (scene units) it is what the inside leaves of light over that depth instead, by
+/// Beer's law. A textured tint cannot say what the inside is made of and always colours crossings.
 struct DielectricMaterial {
     double ior = 1.5;
     FloatInput roughness{0.0};
     ColorInput reflection_tint{{1, 1, 1}};
     ColorInput transmission_tint{{1, 1, 1}};
+    double transmission_depth = 0;
 };
 
 enum class PreviewOpacityMode { Transparent, Presence };
@@ -105,6 +108,7 @@ struct OpenPbrMaterial {
     double specular_ior = 1.5;
     FloatInput transmission_weight{0.0};
     ColorInput transmission_color{{1, 1, 1}};
+    double transmission_depth = 0;  ///< scene units; as of DielectricMaterial
     FloatInput geometry_opacity{1.0};
 };
 

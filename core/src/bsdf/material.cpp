@@ -3,6 +3,7 @@
 #include <cmath>
 #include <variant>
 
+#include "bsdf/interior.h"
 #include "bsdf/material_models.h"
 
 namespace etendue {
@@ -17,8 +18,10 @@ BsdfModel make_model(const ConductorMaterial& material, const InputReader& read)
 }
 
 BsdfModel make_model(const DielectricMaterial& material, const InputReader& read) {
+    const bool clear_surface = colors_the_inside(material.transmission_tint, material.transmission_depth);
     return Dielectric(usable_ior(material.ior), read.alpha(material.roughness),
-                      read.reflectance(material.reflection_tint), read.reflectance(material.transmission_tint));
+                      read.reflectance(material.reflection_tint),
+                      clear_surface ? Rgb(1) : read.reflectance(material.transmission_tint));
 }
 
 Rgb albedo(const DiffuseMaterial& material, const InputReader& read) { return read.reflectance(material.reflectance); }

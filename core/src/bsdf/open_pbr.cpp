@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "bsdf/fresnel.h"
+#include "bsdf/interior.h"
 #include "bsdf/material_models.h"
 
 namespace etendue {
@@ -27,6 +28,7 @@ struct OpenPbr {
     Rgb base;
     Rgb specular_color;
     Rgb transmission_color;
+    bool clear_surface;  ///< transmission_color is that of the inside (interior.h)
     double metalness;
     double specular_weight;
     double transmission;
@@ -38,6 +40,7 @@ struct OpenPbr {
         : base(read.reflectance(material.base_color) * read.fraction(material.base_weight)),
           specular_color(read.reflectance(material.specular_color)),
           transmission_color(read.reflectance(material.transmission_color)),
+          clear_surface(colors_the_inside(material.transmission_color, material.transmission_depth)),
           metalness(read.fraction(material.base_metalness)),
           specular_weight(read.fraction(material.specular_weight)),
           transmission(read.fraction(material.transmission_weight)),
@@ -55,7 +58,9 @@ struct OpenPbr {
         return {base * specular_weight, Rgb(specular_weight), dip * specular_weight};
     }
 
-    [[nodiscard]] Dielectric glass() const { return Dielectric(ior, alpha, specular_color, transmission_color); }
+    [[nodiscard]] Dielectric glass() const {
+        return Dielectric(ior, alpha, specular_color, clear_surface ? Rgb(1) : transmission_color);
+    }
 };
 
 LayeredParameters layers(const OpenPbr& surface) {
@@ -76,7 +81,6 @@ LayeredParameters layers(const OpenPbr& surface) {
 
 }  // namespace
 
-/// Of transmission_depth only 0 exists: transmission_color tints every crossing.
 BsdfModel make_model(const OpenPbrMaterial& material, const InputReader& read) {
     const OpenPbr surface(material, read);
     if (surface.presence == 1) {

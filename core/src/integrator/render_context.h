@@ -19,6 +19,7 @@ struct RenderContext {
     PixelWindow window;  ///< pixels to render, within the full image
     bool wants_surface;  ///< an AOV describes the first surface
     bool wants_albedo;
+    Media camera_media{};  ///< what the camera lies in; one for all of its lens, or of its plane
 };
 
 /// A share of a pass: one sample for each pixel of the tile, and some of the pass's light paths.

@@ -14,6 +14,7 @@
 #include "scene/light_triangles.h"
 #include "scene/material_glow.h"
 #include "scene/material_textures.h"
+#include "scene/media_probe.h"
 #include "texture/udim.h"
 
 namespace etendue {
@@ -64,7 +65,7 @@ std::vector<TextureDesc> all_textures(const SceneDescription& description) {
 }  // namespace
 
 Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points)
-    : textures_(all_textures(description)), materials_(description.materials) {
+    : textures_(all_textures(description)), materials_(description.materials), absorption_(materials_) {
     for (const MaterialDesc& material : materials_) check_textures(material, description.textures.size());
     place_shapes(description);
     place_instances(description);
@@ -74,6 +75,9 @@ Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_
     make_lights(description, bounds);
     make_emissive_lights();
     light_sampler_ = std::make_unique<LightSampler>(lights_, bounds);
+    if (absorbs()) {
+        for (const auto& light : lights_) light_media_.push_back(media_before(*this, *light));
+    }
 }
 
 void Scene::place_shapes(const SceneDescription& description) {

@@ -12,6 +12,7 @@
 #include "geometry/surface_interaction.h"
 #include "light/light.h"
 #include "light/light_sampler.h"
+#include "scene/absorption.h"
 #include "scene/placed_shape.h"
 #include "texture/texture_set.h"
 
@@ -51,6 +52,15 @@ public:
     }
     [[nodiscard]] Rgb albedo(const SurfaceInteraction& si) const;
 
+    /// Whether any body absorbs light inside it. If none does, all media are those of nowhere.
+    [[nodiscard]] bool absorbs() const { return absorption_.any(); }
+    [[nodiscard]] const Absorption& absorption() const { return absorption_; }
+    /// The media into which a light emits. A light has one: one that lies partly in a body is taken to lie where most
+    /// of what it emits goes. Infinite lights lie outside.
+    [[nodiscard]] Media light_media(int light) const {
+        return absorbs() ? light_media_[static_cast<std::size_t>(light)] : Media{};
+    }
+
     [[nodiscard]] const Light& light(int index) const { return *lights_[static_cast<std::size_t>(index)]; }
     [[nodiscard]] const std::vector<int>& infinite_lights() const { return infinite_lights_; }
     [[nodiscard]] const LightSampler& light_sampler() const { return *light_sampler_; }
@@ -75,6 +85,8 @@ private:
 
     TextureSet textures_;
     std::vector<MaterialDesc> materials_;
+    Absorption absorption_;
+    std::vector<Media> light_media_;   ///< empty when nothing absorbs
     std::vector<PlacedShape> shapes_;  ///< top level; the lights' own shapes come last
     std::vector<std::vector<PlacedShape>> groups_;
     std::vector<Instance> instances_;

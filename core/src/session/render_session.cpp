@@ -14,6 +14,7 @@
 #include "film/asks_for.h"
 #include "film/film.h"
 #include "integrator/integrator.h"
+#include "scene/media_probe.h"
 #include "session/pass.h"
 #include "session/validate_settings.h"
 
@@ -40,7 +41,8 @@ RenderContext make_context(const Scene& scene, const Camera& camera, const Rende
             Filter(settings.filter),
             render_window(settings),
             asks_for(settings, {Aov::Alpha, Aov::Depth, Aov::Normal, Aov::Albedo}),
-            asks_for(settings, {Aov::Albedo})};
+            asks_for(settings, {Aov::Albedo}),
+            media_at(scene, camera.position())};
 }
 
 int thread_count(const RenderSettings& settings) {

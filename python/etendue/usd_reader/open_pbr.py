@@ -15,7 +15,6 @@ NODE_IDS = ("ND_open_pbr_surface_surfaceshader",)
 _UNSUPPORTED: dict[str, float | Sequence[float]] = {
     "base_diffuse_roughness": 0.0,
     "specular_roughness_anisotropy": 0.0,
-    "transmission_depth": 0.0,
     "transmission_scatter": (0.0, 0.0, 0.0),
     "transmission_dispersion_scale": 0.0,
     "subsurface_weight": 0.0,
@@ -25,7 +24,6 @@ _UNSUPPORTED: dict[str, float | Sequence[float]] = {
     "geometry_thin_walled": 0.0,
 }
 _CONSEQUENCES = {
-    "transmission_depth": "transmission_color tints the surface instead of the volume",
     "geometry_thin_walled": "the surface is the boundary of a solid",
 }
 
@@ -42,6 +40,15 @@ def read_open_pbr(context: ReadContext, inputs: ShaderInputs) -> _core.MaterialD
     model.specular_ior = float(inputs.constant("specular_ior", model.specular_ior))
     model.transmission_weight = inputs.number("transmission_weight", model.transmission_weight)
     model.transmission_color = inputs.color("transmission_color", model.transmission_color)
+    # A length, in the stage's units.
+    model.transmission_depth = float(inputs.constant("transmission_depth", 0.0))
+    if model.transmission_depth > 0 and model.transmission_color.texture >= 0:
+        context.report.warn(
+            "open_pbr_surface textured volume",
+            inputs.shader.GetPath(),
+            "open_pbr_surface: a textured transmission_color tints the surface, whatever the "
+            "transmission_depth",
+        )
     model.geometry_opacity = inputs.number("geometry_opacity", model.geometry_opacity)
 
     for name, default in _UNSUPPORTED.items():

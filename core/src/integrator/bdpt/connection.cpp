@@ -15,6 +15,11 @@ LightDensities Connector::light_densities(int light_index, const LightPoint& y, 
             sampler.pmf_emission(light_index) * pdf.pdf_point, pdf.pdf_dir};
 }
 
+void Connector::absorb_from(const Vertex& v, const Vec3& w, double distance, Rgb& value) const {
+    const Absorption& absorption = context_.scene.absorption();
+    value *= absorption.transmittance(absorption.beyond(v.media, v.si, v.wo, w), distance);
+}
+
 // ------------------------------------------------------------------------------------------------------- s = 0
 
 std::optional<Contribution> Connector::emission(const CameraSubpath& camera, std::size_t i) const {
@@ -50,6 +55,7 @@ std::optional<Contribution> Connector::direct(const Vertex& z, Rng& rng, std::ui
     const Vec3& wi = sample->wi;
     const Rgb f = z.bsdf->eval_cos(z.wo, wi, TransportMode::Radiance, context_.settings.adjoint);
     Contribution c{z.beta * f * sample->weight / choice->pmf, 0, {}};
+    if (absorbs_) absorb_from(z, wi, sample->distance, c.value);
     if (is_black(c.value)) return {};
 
     LightDensities p = light_densities(choice->light, sample->y, z.si.p, -wi);
@@ -83,6 +89,7 @@ std::optional<Contribution> Connector::connect(const Vertex& y, const Vertex& z,
     if (is_black(f_y)) return {};
     const Rgb f_z = z.bsdf->eval_cos(z.wo, -w, TransportMode::Radiance, policy);
     Contribution c{y.beta * f_y * f_z * z.beta / d2, 0, {}};
+    if (absorbs_) absorb_from(y, w, std::sqrt(d2), c.value);
     if (is_black(c.value)) return {};
 
     const double pdf_z = y.bsdf->pdf(y.wo, w) * area_per_solid_angle(y.si.p, z.si.p, z.si.n_g);
@@ -120,6 +127,7 @@ std::optional<Contribution> Connector::to_lens(const Vertex& y, Rng& rng, std::u
     const Vec3 w = -lens->direction;
     const Rgb f = y.bsdf->eval_cos(y.wo, w, TransportMode::Importance, context_.settings.adjoint);
     Contribution c{y.beta * f * lens->weight, 0, lens->raster};
+    if (absorbs_) absorb_from(y, w, lens->distance, c.value);
     if (is_black(c.value)) return {};
 
     const double pdf_y = lens->pdf_dir * area_from_lens(*lens, y.si.p, y.si.n_g);
@@ -142,6 +150,10 @@ std::optional<Contribution> Connector::start_to_lens(const LightStart& start, Rn
     const Vec3 w = -lens->direction;
     const double cos_y = infinite ? 1 : abs_dot(w, start.y.n);
     Contribution c{light.radiance(start.y, w) * (cos_y * lens->weight / start.pdf_point), 0, lens->raster};
+    if (absorbs_) {
+        const Media media = infinite ? context_.camera_media : context_.scene.light_media(start.light);
+        c.value *= context_.scene.absorption().transmittance(media, lens->distance);
+    }
     if (is_black(c.value)) return {};
 
     const double area_y = infinite ? 1 : area_from_lens(*lens, start.y.p, start.y.n);

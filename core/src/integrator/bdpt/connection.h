@@ -24,7 +24,10 @@ struct Contribution {
 class Connector {
 public:
     Connector(const RenderContext& context, const ActiveStrategies& active)
-        : context_(context), active_(active), heuristic_(context.settings.heuristic) {}
+        : context_(context),
+          active_(active),
+          heuristic_(context.settings.heuristic),
+          absorbs_(context.scene.absorbs()) {}
 
     /// s = 0: the surface vertex i of the camera path emits.
     [[nodiscard]] std::optional<Contribution> emission(const CameraSubpath& camera, std::size_t i) const;
@@ -46,6 +49,8 @@ private:
     /// Of the light point y seen from `receiver`, emitting along w.
     [[nodiscard]] LightDensities light_densities(int light_index, const LightPoint& y, const Vec3& receiver,
                                                  const Vec3& w) const;
+    /// Takes away what the segment that leaves v along w absorbs.
+    void absorb_from(const Vertex& v, const Vec3& w, double distance, Rgb& value) const;
     /// Density of the lens point from the vertex that it was joined to, over that of the lens sample.
     [[nodiscard]] double lens_ratio(double pdf_to_lens, const LensSample& lens) const;
     /// Turns the lens sample's pdf_dir into a density per area at p.
@@ -55,6 +60,7 @@ private:
     const RenderContext& context_;
     const ActiveStrategies& active_;
     Heuristic heuristic_;
+    bool absorbs_;  ///< bodies absorb light inside them
 };
 
 }  // namespace etendue

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "integrator/roulette.h"
+#include "math/constants.h"
 #include "math/measure.h"
 
 namespace etendue {
@@ -20,6 +21,7 @@ struct SubpathTracer::Walk {
     double radiance_scale = 1;
     MisState mis{};              ///< of the vertex at `from`; unused at the endpoint
     bool from_infinity = false;  ///< from a light there, or an orthographic camera, as if it were there
+    Media media{};               ///< through which the ray goes; only where there is absorption
 };
 
 namespace {
@@ -50,6 +52,7 @@ bool SubpathTracer::scatter(Walk& walk, Vertex& vertex, TransportMode mode, Rng&
     walk.delta = sample->delta;
     walk.mis = vertex.mis;
     walk.from_infinity = false;
+    if (absorbs_) walk.media = context_.scene.absorption().beyond(vertex.media, vertex.si, vertex.wo, sample->wi);
     walk.ray = {offset_origin(vertex.si.p, vertex.si.p_error, vertex.si.n_g, sample->wi), sample->wi};
     return true;
 }
@@ -67,6 +70,14 @@ void SubpathTracer::add_vertex(const Walk& walk, const SurfaceInteraction& si, c
     vertex.wo = -walk.ray.direction;
     vertex.beta = walk.beta;
     vertex.mis = mis;
+    if (absorbs_) {
+        vertex.media = walk.media;
+        vertex.beta *= left_of(walk, si.p);
+    }
+}
+
+Rgb SubpathTracer::left_of(const Walk& walk, const Vec3& p) const {
+    return context_.scene.absorption().transmittance(walk.media, length(p - walk.from));
 }
 
 // --------------------------------------------------------------------------------------------- light subpaths
@@ -90,6 +101,7 @@ std::optional<SubpathTracer::Walk> SubpathTracer::start_light(Rng& rng, LightSub
               .roulette = Roulette(context_.settings.roulette_depth, beta)};
     walk.pdf_fwd = emission.pdf.pdf_dir;
     walk.from_infinity = light.infinite();
+    walk.media = context_.scene.light_media(choice->light);
     return walk;
 }
 
@@ -117,7 +129,9 @@ void SubpathTracer::add_crossing(const Walk& walk, double t_max, LightSubpath& p
     if (walk.from_infinity) m = {abs_dot(walk.ray.direction, context_.camera.forward()), 1};
     const MisState mis =
         first ? first_light_state(walk, *path.start, hit->p, m.to, m.from) : arrive(walk, m.to, m.from);
-    path.crossings.push_back({*hit, walk.beta, mis, static_cast<int>(path.vertices.size()) + 2});
+    Rgb beta = walk.beta;
+    if (absorbs_) beta *= left_of(walk, hit->p);
+    path.crossings.push_back({*hit, beta, mis, static_cast<int>(path.vertices.size()) + 2});
 }
 
 void SubpathTracer::trace_light(Rng& rng, LightSubpath& path, std::uint64_t& rays) const {
@@ -166,7 +180,8 @@ void SubpathTracer::trace_camera(const Vec2& raster, Rng& rng, CameraSubpath& pa
               .n_from = context_.camera.forward(),
               .beta = Rgb(first.weight),
               .roulette = Roulette(context_.settings.roulette_depth, Rgb(first.weight)),
-              .from_infinity = context_.camera.orthographic()};
+              .from_infinity = context_.camera.orthographic(),
+              .media = context_.camera_media};
     for (int depth = 0;; ++depth) {
         ++rays;
         const auto si = context_.scene.intersect(walk.ray);
@@ -181,6 +196,7 @@ void SubpathTracer::trace_camera(const Vec2& raster, Rng& rng, CameraSubpath& pa
             mis = first_camera_state(first, m.to, m.from);
         }
         if (!si) {
+            if (absorbs_) walk.beta *= context_.scene.absorption().transmittance(walk.media, kInfinity);
             path.escape = {walk.ray.direction, walk.beta, mis, walk.from, depth + 2};
             return;
         }

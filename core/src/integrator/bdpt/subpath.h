@@ -14,7 +14,10 @@ namespace etendue {
 class SubpathTracer {
 public:
     SubpathTracer(const RenderContext& context, const ActiveStrategies& active)
-        : context_(context), active_(active), heuristic_(context.settings.heuristic) {}
+        : context_(context),
+          active_(active),
+          heuristic_(context.settings.heuristic),
+          absorbs_(context.scene.absorbs()) {}
 
     /// `rays` counts intersections. The path keeps its memory between calls.
     void trace_light(Rng& rng, LightSubpath& path, std::uint64_t& rays) const;
@@ -26,6 +29,8 @@ private:
     [[nodiscard]] MisState arrive(const Walk& walk, double area_to, double area_back) const;
     void add_vertex(const Walk& walk, const SurfaceInteraction& si, const MisState& mis,
                     std::vector<Vertex>& vertices) const;
+    /// What absorption leaves of light between the vertex left and p.
+    [[nodiscard]] Rgb left_of(const Walk& walk, const Vec3& p) const;
     void add_crossing(const Walk& walk, double t_max, LightSubpath& path) const;
     [[nodiscard]] std::optional<Walk> start_light(Rng& rng, LightSubpath& path) const;
     [[nodiscard]] MisState first_light_state(const Walk& walk, const LightStart& start, const Vec3& receiver,
@@ -35,6 +40,7 @@ private:
     const RenderContext& context_;
     const ActiveStrategies& active_;
     Heuristic heuristic_;
+    bool absorbs_;  ///< bodies absorb light inside them
 };
 
 }  // namespace etendue

@@ -9,6 +9,7 @@
 #include "integrator/bdpt/mis.h"
 #include "light/light.h"
 #include "math/rgb.h"
+#include "scene/media.h"
 
 namespace etendue {
 
@@ -19,6 +20,7 @@ struct Vertex {
     Vec3 wo;                   ///< towards the previous vertex
     Rgb beta;                  ///< alpha of theory.md §2 without the BSDF at this vertex
     MisState mis;
+    Media media;  ///< on wo's side; only where there is absorption
 
     [[nodiscard]] bool connectible() const { return bsdf && bsdf->connectible(); }
 };

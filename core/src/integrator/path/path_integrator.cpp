@@ -5,6 +5,7 @@
 #include "integrator/first_surface.h"
 #include "integrator/random_streams.h"
 #include "integrator/roulette.h"
+#include "math/constants.h"
 #include "math/measure.h"
 
 namespace etendue {
@@ -17,27 +18,40 @@ struct PathIntegrator::Walk {
     double pdf = 0;        ///< of that direction, per solid angle
     bool specular = true;  ///< next-event estimation could not have made it: from the lens, or by a delta lobe
     int depth = 0;         ///< bounces so far
+    Media media{};         ///< through which the ray goes; only where there is absorption
 };
 
 PathIntegrator::PathIntegrator(const RenderContext& context)
     : context_(context), heuristic_(context.settings.heuristic) {}
 
 void PathIntegrator::render(const WorkUnit& unit, FilmTile& tile) const {
+    if (context_.scene.absorbs()) {
+        sample_pixels<true>(unit, tile);
+    } else {
+        sample_pixels<false>(unit, tile);
+    }
+}
+
+template <bool Absorbs>
+void PathIntegrator::sample_pixels(const WorkUnit& unit, FilmTile& tile) const {
     for (int y = unit.tile.y0; y < unit.tile.y1; ++y) {
         for (int x = unit.tile.x0; x < unit.tile.x1; ++x) {
             Rng rng = camera_stream(context_.settings.seed, unit.pass, pixel_number(context_, x, y));
             const Vec2 offset = context_.filter.sample(rng.next_2d());
-            tile.samples.push_back(sample_pixel({x + 0.5 + offset.x, y + 0.5 + offset.y}, rng, tile));
+            tile.samples.push_back(sample_pixel<Absorbs>({x + 0.5 + offset.x, y + 0.5 + offset.y}, rng, tile));
             ++tile.camera_paths;
         }
     }
 }
 
+template <bool Absorbs>
 PixelSample PathIntegrator::sample_pixel(const Vec2& raster, Rng& rng, FilmTile& tile) const {
     PixelSample sample;
     const RenderSettings& settings = context_.settings;
     const CameraRay first = context_.camera.generate_ray(raster, rng.next_2d());
     Walk walk{{offset_origin(first.origin, {}, {}, first.direction), first.direction}, first.origin, Rgb(first.weight)};
+    const Absorption& absorption = context_.scene.absorption();
+    if constexpr (Absorbs) walk.media = context_.camera_media;
     const Roulette roulette(settings.roulette_depth, walk.beta);
     double radiance_scale = 1;
     for (;; ++walk.depth) {
@@ -45,13 +59,17 @@ PixelSample PathIntegrator::sample_pixel(const Vec2& raster, Rng& rng, FilmTile&
         const std::optional<SurfaceInteraction> si = context_.scene.intersect(walk.ray);
         if (walk.depth == 0) record_surface(context_, si, sample);
         if (!si) {
+            if constexpr (Absorbs) walk.beta *= absorption.transmittance(walk.media, kInfinity);
             add_infinite(walk, sample, tile);
             break;
         }
+        if constexpr (Absorbs) walk.beta *= absorption.transmittance(walk.media, length(si->p - walk.from));
         if (si->light >= 0) add_emission(*si, walk, sample, tile);
         if (walk.depth >= settings.max_depth || !Scene::scatters(*si)) break;
         const Bsdf bsdf = context_.scene.bsdf(*si);
-        if (settings.strategies.direct_light && bsdf.connectible()) add_direct(*si, bsdf, walk, rng, sample, tile);
+        if (settings.strategies.direct_light && bsdf.connectible()) {
+            add_direct<Absorbs>(*si, bsdf, walk, rng, sample, tile);
+        }
 
         const double u_lobe = rng.next_1d();
         const auto scattered =
@@ -60,6 +78,7 @@ PixelSample PathIntegrator::sample_pixel(const Vec2& raster, Rng& rng, FilmTile&
         walk.beta *= scattered->weight;
         radiance_scale *= scattered->radiance_scale;
         if (!roulette.survive(walk.depth + 1, radiance_scale, walk.beta, rng)) break;
+        if constexpr (Absorbs) walk.media = absorption.beyond(walk.media, *si, -walk.ray.direction, scattered->wi);
         walk.from = si->p;
         walk.pdf = scattered->pdf_fwd;
         walk.specular = scattered->delta;
@@ -101,6 +120,7 @@ void PathIntegrator::add_infinite(const Walk& walk, PixelSample& sample, FilmTil
     }
 }
 
+template <bool Absorbs>
 void PathIntegrator::add_direct(const SurfaceInteraction& si, const Bsdf& bsdf, const Walk& walk, Rng& rng,
                                 PixelSample& sample, FilmTile& tile) const {
     const auto choice = context_.scene.light_sampler().sample_direct(si.p, rng.next_1d());
@@ -112,6 +132,10 @@ void PathIntegrator::add_direct(const SurfaceInteraction& si, const Bsdf& bsdf, 
     const Vec3 wo = -walk.ray.direction;
     const Rgb f = bsdf.eval_cos(wo, direct->wi, TransportMode::Radiance, context_.settings.adjoint);
     Rgb value = walk.beta * f * direct->weight / choice->pmf;
+    if constexpr (Absorbs) {
+        const Media media = context_.scene.absorption().beyond(walk.media, si, wo, direct->wi);
+        value *= context_.scene.absorption().transmittance(media, direct->distance);
+    }
     if (is_black(value)) return;
     if (!light.delta() && context_.settings.strategies.emission_hit) {
         const double to_native = light.infinite() ? 1 : area_per_solid_angle(si.p, direct->y.p, direct->y.n);

@@ -20,9 +20,14 @@ public:
 private:
     struct Walk;
 
+    // Absorbs: bodies absorb light inside them; who has none pays nothing for those who do.
+    template <bool Absorbs>
+    void sample_pixels(const WorkUnit& unit, FilmTile& tile) const;
+    template <bool Absorbs>
     [[nodiscard]] PixelSample sample_pixel(const Vec2& raster, Rng& rng, FilmTile& tile) const;
     void add_emission(const SurfaceInteraction& si, const Walk& walk, PixelSample& sample, FilmTile& tile) const;
     void add_infinite(const Walk& walk, PixelSample& sample, FilmTile& tile) const;
+    template <bool Absorbs>
     void add_direct(const SurfaceInteraction& si, const Bsdf& bsdf, const Walk& walk, Rng& rng, PixelSample& sample,
                     FilmTile& tile) const;
     [[nodiscard]] double hit_weight(const Walk& walk, double pdf_hit, double pdf_direct) const;
