@@ -68,7 +68,7 @@ PathDensities path_densities(const WholePath& path, const RenderContext& context
     d.light_is_delta = light.delta();
     d.has_lens = context.camera.has_lens();
 
-    const EmissionPdf emission = light.pdf_emission(path.y, direction(nodes[0], nodes[1]));
+    const EmissionPdf emission = context.scene.emission().pdf(light, path.y, direction(nodes[0], nodes[1]), nodes[1].p);
     d.light[0] = context.scene.light_sampler().pmf_emission(path.light) * emission.pdf_point;
     d.direct = context.scene.light_sampler().pmf_direct(nodes[1].p, path.light) * light.pdf_direct(nodes[1].p, path.y);
     d.light[1] = to_area(nodes[0], nodes[1], emission.pdf_dir);

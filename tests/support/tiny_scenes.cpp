@@ -147,6 +147,27 @@ SceneDescription many_lights() {
     return b.scene();
 }
 
+SceneDescription aimed_lights() {
+    SceneBuilder b = lit_box(0.6);
+    const int frosted = b.material(glass(0.3));
+    b.sphere({-0.6, -0.5, 0}, 0.2, frosted);
+    b.sphere({0.6, -0.2, 0.2}, 0.15, frosted);
+    LightDesc ball;
+    ball.kind = LightKind::Sphere;
+    ball.radius = 0.2;
+    ball.intensity = 2;
+    ball.world_from_light = translation({-0.1, -0.1, -0.3});
+    b.light(ball);
+    LightDesc sun;
+    sun.kind = LightKind::Distant;
+    sun.angle = 40;
+    sun.intensity = 1.5;
+    sun.normalize = true;
+    sun.world_from_light = look_at({0.5, 1, 3}, {0, 0, 0});
+    b.light(sun);
+    return b.scene();
+}
+
 SceneDescription light_crowd() {
     SceneBuilder b;
     b.open_box(b.diffuse(0.5));

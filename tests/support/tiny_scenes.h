@@ -16,6 +16,7 @@ namespace etendue::test {
 [[nodiscard]] SceneDescription sky();                 ///< dome and a broad sun over a plane with a sphere
 [[nodiscard]] SceneDescription image_sky();           ///< a dome with a latlong image, turned, over a plane and a ball
 [[nodiscard]] SceneDescription many_lights();         ///< every kind of light that has a size, a glowing mesh too
+[[nodiscard]] SceneDescription aimed_lights();        ///< lamp, ball and sun aimed at two small frosted glass balls
 [[nodiscard]] SceneDescription light_crowd();         ///< 300 small lamps that face everywhere, and a faint dome
 [[nodiscard]] SceneDescription delta_lights();        ///< point and delta sun
 [[nodiscard]] SceneDescription lens_box();            ///< wide thin lens before the diffuse box

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "light/light_bounds.h"
@@ -57,6 +58,11 @@ public:
 
     /// Le(y -> w), nits. Zero on the dark side; zero for delta lights (their Le is no function).
     [[nodiscard]] virtual Rgb radiance(const LightPoint& y, const Vec3& w) const = 0;
+    /// Le(y -> w) |cos| of surfaces, the intensity of points, candela: what a path that leaves y along w carries. Not
+    /// of infinite lights.
+    [[nodiscard]] virtual Rgb emission(const LightPoint& y, const Vec3& w) const {
+        return radiance(y, w) * std::abs(dot(w, y.n));
+    }
     /// Empty when `receiver` cannot be lit.
     [[nodiscard]] virtual std::optional<DirectSample> sample_direct(const Vec3& receiver, const Vec2& u) const = 0;
     /// Density with which sample_direct(receiver) picks y; native measure.

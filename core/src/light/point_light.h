@@ -10,6 +10,7 @@ public:
     PointLight(const Vec3& position, const Rgb& intensity) : position_(position), intensity_(intensity) {}
 
     [[nodiscard]] Rgb radiance(const LightPoint&, const Vec3&) const override { return {}; }
+    [[nodiscard]] Rgb emission(const LightPoint&, const Vec3&) const override { return intensity_; }
     [[nodiscard]] std::optional<DirectSample> sample_direct(const Vec3& receiver, const Vec2& u) const override;
     [[nodiscard]] double pdf_direct(const Vec3&, const LightPoint&) const override { return 1; }
     [[nodiscard]] EmissionSample sample_emission(const Vec2& u_point, const Vec2& u_dir) const override;

@@ -10,6 +10,7 @@
 #include "light/make_light.h"
 #include "light/texture_image.h"
 #include "light/usd_lux.h"
+#include "scene/casters.h"
 #include "scene/interaction.h"
 #include "scene/light_triangles.h"
 #include "scene/material_glow.h"
@@ -78,6 +79,7 @@ Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_
     if (absorbs()) {
         for (const auto& light : lights_) light_media_.push_back(media_before(*this, *light));
     }
+    emission_ = EmissionAim(cluster(find_casters(), EmissionAim::kMostTargets));
 }
 
 void Scene::place_shapes(const SceneDescription& description) {
@@ -199,6 +201,19 @@ void Scene::make_emissive_lights() {
             instance.lights[i] = make_slot_lights(group[i], instance.world_from_group);
         }
     }
+}
+
+std::vector<Sphere> Scene::find_casters() const {
+    std::vector<bool> focusing;
+    for (const MaterialDesc& material : materials_) focusing.push_back(focuses(material, textures_));
+    std::vector<Sphere> casters;
+    for (const PlacedShape& shape : shapes_) add_caster(shape, focusing, {}, casters);
+    for (const Instance& instance : instances_) {
+        for (const PlacedShape& shape : groups_[instance.group]) {
+            add_caster(shape, focusing, instance.world_from_group, casters);
+        }
+    }
+    return casters;
 }
 
 std::optional<SurfaceInteraction> Scene::intersect(const Ray& ray) const {

@@ -10,6 +10,7 @@
 #include "bsdf/material.h"
 #include "geometry/ray.h"
 #include "geometry/surface_interaction.h"
+#include "light/emission_aim.h"
 #include "light/light.h"
 #include "light/light_sampler.h"
 #include "scene/absorption.h"
@@ -64,6 +65,8 @@ public:
     [[nodiscard]] const Light& light(int index) const { return *lights_[static_cast<std::size_t>(index)]; }
     [[nodiscard]] const std::vector<int>& infinite_lights() const { return infinite_lights_; }
     [[nodiscard]] const LightSampler& light_sampler() const { return *light_sampler_; }
+    /// How light subpaths start.
+    [[nodiscard]] const EmissionAim& emission() const { return emission_; }
     [[nodiscard]] bool has_lights() const { return !lights_.empty(); }
 
 private:
@@ -82,6 +85,7 @@ private:
     void make_emissive_lights();
     std::vector<int> make_slot_lights(const PlacedShape& shape, const Transform& world_from_parent);
     int add_light(std::unique_ptr<Light> light);
+    [[nodiscard]] std::vector<Sphere> find_casters() const;
 
     TextureSet textures_;
     std::vector<MaterialDesc> materials_;
@@ -93,6 +97,7 @@ private:
     std::vector<std::unique_ptr<Light>> lights_;
     std::vector<int> infinite_lights_;
     std::unique_ptr<LightSampler> light_sampler_;
+    EmissionAim emission_;
     std::unique_ptr<EmbreeAccel> accel_;
 };
 

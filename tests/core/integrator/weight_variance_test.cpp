@@ -104,7 +104,7 @@ TEST_P(WeightVariance, AllStrategiesAreAsGoodAsTheBestSubset) {
         EXPECT_LE(all.mean(), allowed * part.mean() + noise) << subset.name;
     }
     std::cout << '\n';
-    if (full_effort()) EXPECT_LT(all.standard_error(), 0.15 * all.mean()) << "too noisy to tell";
+    if (full_effort()) EXPECT_LT(all.standard_error(), 0.2 * all.mean()) << "too noisy to tell";
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, WeightVariance,

@@ -10,7 +10,7 @@ LightDensities Connector::light_densities(int light_index, const LightPoint& y, 
                                           const Vec3& w) const {
     const Light& light = context_.scene.light(light_index);
     const LightSampler& sampler = context_.scene.light_sampler();
-    const EmissionPdf pdf = light.pdf_emission(y, w);
+    const EmissionPdf pdf = context_.scene.emission().pdf(light, y, w, receiver);
     return {sampler.pmf_direct(receiver, light_index) * light.pdf_direct(receiver, y),
             sampler.pmf_emission(light_index) * pdf.pdf_point, pdf.pdf_dir};
 }
@@ -158,8 +158,8 @@ std::optional<Contribution> Connector::start_to_lens(const LightStart& start, Rn
 
     const double area_y = infinite ? 1 : area_from_lens(*lens, start.y.p, start.y.n);
     const double hit_ratio = active_.emission_hit ? lens->pdf_dir * area_y / start.pdf_point : 0;
-    c.weight = weight_light_image_of_start(heuristic_, hit_ratio, active_.light_paths,
-                                           lens_ratio(light.pdf_emission(start.y, w).pdf_dir, *lens));
+    const double pdf_dir = context_.scene.emission().pdf(light, start.y, w, lens->origin).pdf_dir;
+    c.weight = weight_light_image_of_start(heuristic_, hit_ratio, active_.light_paths, lens_ratio(pdf_dir, *lens));
 
     ++rays;
     const bool open = infinite ? context_.scene.sees_infinity(RayEnd::free(lens->origin), lens->direction)

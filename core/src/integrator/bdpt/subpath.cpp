@@ -88,7 +88,7 @@ std::optional<SubpathTracer::Walk> SubpathTracer::start_light(Rng& rng, LightSub
     const Vec2 u_dir = rng.next_2d();
     if (!choice) return {};
     const Light& light = context_.scene.light(choice->light);
-    const EmissionSample emission = light.sample_emission(u_point, u_dir);
+    const EmissionSample emission = context_.scene.emission().sample(light, u_point, u_dir);
     path.start = {choice->light, emission.y, choice->pmf * emission.pdf.pdf_point};
     const Rgb beta = emission.weight / choice->pmf;
     if (is_black(beta)) return {};

@@ -1,0 +1,167 @@
+#include "scene/casters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "bsdf/material.h"
+#include "math/rng.h"
+
+namespace etendue {
+namespace {
+
+// ---------------------------------------------------------------------------------------------------- materials
+
+/// Narrow means this dense, per steradian: a diffuse surface reaches 1 / pi, metal of roughness 0.37 about 4.
+constexpr double kNarrowDensity = 4;
+/// The coat of a plastic sends some 5 % on in a narrow bundle; no one looks for its caustics.
+constexpr double kLeastNarrow = 0.25;
+
+/// A direction that has not changed: a hole in the surface, which gathers nothing.
+bool straight(const Vec3& wo, const Vec3& wi) { return length_squared(wo + wi) < 1e-9; }
+
+/// What part of the light from 45 degrees goes on in narrow bundles.
+double narrow_part(const Bsdf& bsdf, Rng& rng) {
+    constexpr int kTries = 32;
+    const Vec3 wo = normalize({1, 0, 1});
+    double sum = 0;
+    for (int i = 0; i < kTries; ++i) {
+        const double u_lobe = rng.next_1d();
+        const auto sample = bsdf.sample(wo, u_lobe, rng.next_2d(), TransportMode::Importance, {});
+        if (!sample || straight(wo, sample->wi)) continue;
+        if (sample->delta || sample->pdf_fwd >= kNarrowDensity) sum += max_component(sample->weight);
+    }
+    return sum / kTries;
+}
+
+// ------------------------------------------------------------------------------------------------------- shapes
+
+bool is_caster(const PlacedShape& shape, std::size_t slot, const std::vector<bool>& focusing) {
+    const int material = shape.materials[slot];
+    return material >= 0 && focusing[static_cast<std::size_t>(material)];
+}
+
+std::optional<Sphere> around(const std::vector<Vec3>& points) {
+    if (points.empty()) return {};
+    Vec3 lower = points[0];
+    Vec3 upper = points[0];
+    for (const Vec3& p : points) {
+        lower = min(lower, p);
+        upper = max(upper, p);
+    }
+    Sphere sphere{(lower + upper) * 0.5, 0};
+    for (const Vec3& p : points) sphere.radius = std::max(sphere.radius, length(p - sphere.center));
+    return sphere;
+}
+
+std::optional<Sphere> around(const TriangleMesh& mesh, const std::vector<bool>& slots, const Transform& world) {
+    std::vector<Vec3> points;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (!slots[static_cast<std::size_t>(mesh.material_slot(t))]) continue;
+        for (std::size_t corner = 0; corner < 3; ++corner) points.push_back(world.point(mesh.point(t, corner)));
+    }
+    return around(points);
+}
+
+std::optional<Sphere> around(const Quadric& quadric, const std::vector<bool>& slots, const Transform& world) {
+    if (!slots[0]) return {};
+    const Transform placed = world * quadric.parent_from_object;
+    // M stretches by the root of the greatest eigenvalue of M^T M, which its rows' sums bound (Gershgorin): exactly,
+    // for a sphere that stays one.
+    const std::array<Vec3, 3> columns{placed.vector({1, 0, 0}), placed.vector({0, 1, 0}), placed.vector({0, 0, 1})};
+    double stretch2 = 0;
+    for (const Vec3& a : columns) {
+        double sum = 0;
+        for (const Vec3& b : columns) sum += abs_dot(a, b);
+        stretch2 = std::max(stretch2, sum);
+    }
+    return Sphere{placed.translation(), quadric.radius * std::sqrt(stretch2)};
+}
+
+}  // namespace
+
+bool focuses(const MaterialDesc& material, const TextureSet& textures) {
+    // Textured materials are tried here and there.
+    constexpr std::array<Vec2, 4> kPlaces{Vec2{0.13, 0.29}, Vec2{0.41, 0.83}, Vec2{0.67, 0.37}, Vec2{0.89, 0.61}};
+    Rng rng(1, 0, 0);
+    double sum = 0;
+    for (const Vec2& st : kPlaces) {
+        SurfaceInteraction si;
+        si.n_g = si.n_s = {0, 0, 1};
+        si.st = st;
+        sum += narrow_part(make_bsdf(material, textures, si), rng);
+    }
+    return sum >= kLeastNarrow * kPlaces.size();
+}
+
+void add_caster(const PlacedShape& shape, const std::vector<bool>& focusing, const Transform& world_from_parent,
+                std::vector<Sphere>& casters) {
+    std::vector<bool> slots;
+    for (std::size_t slot = 0; slot < shape.materials.size(); ++slot) slots.push_back(is_caster(shape, slot, focusing));
+    if (std::find(slots.begin(), slots.end(), true) == slots.end()) return;
+    const auto sphere =
+        std::visit([&](const auto& geometry) { return around(geometry, slots, world_from_parent); }, *shape.geometry);
+    if (sphere && sphere->radius > 0) casters.push_back(*sphere);
+}
+
+// ----------------------------------------------------------------------------------------------------- clusters
+
+namespace {
+
+/// Beyond this many, neighbours are put together first, cell by cell: pairs are too many to compare.
+constexpr std::size_t kMostPaired = 64;
+
+std::vector<Sphere> pooled_in_cells(const std::vector<Sphere>& spheres) {
+    constexpr int kCells = 4;  // along each axis
+    Vec3 lower = spheres[0].center;
+    Vec3 upper = lower;
+    for (const Sphere& s : spheres) {
+        lower = min(lower, s.center);
+        upper = max(upper, s.center);
+    }
+    const auto cell_of = [&](const Vec3& p, int axis) {
+        const double extent = upper[axis] - lower[axis];
+        return extent > 0 ? std::min(kCells - 1, static_cast<int>((p[axis] - lower[axis]) / extent * kCells)) : 0;
+    };
+    std::array<std::optional<Sphere>, static_cast<std::size_t>(kCells) * kCells * kCells> cells;
+    for (const Sphere& s : spheres) {
+        const int cell = (cell_of(s.center, 0) * kCells + cell_of(s.center, 1)) * kCells + cell_of(s.center, 2);
+        std::optional<Sphere>& pool = cells[static_cast<std::size_t>(cell)];
+        pool = pool ? enclose(*pool, s) : s;
+    }
+    std::vector<Sphere> pools;
+    for (const auto& pool : cells) {
+        if (pool) pools.push_back(*pool);
+    }
+    return pools;
+}
+
+/// What aiming at one instead of two costs, or gains.
+double growth(const Sphere& a, const Sphere& b) {
+    const double radius = enclose(a, b).radius;
+    return radius * radius - a.radius * a.radius - b.radius * b.radius;
+}
+
+}  // namespace
+
+std::vector<Sphere> cluster(std::vector<Sphere> spheres, std::size_t count) {
+    if (spheres.size() > kMostPaired) spheres = pooled_in_cells(spheres);
+    while (spheres.size() > 1) {
+        std::pair<std::size_t, std::size_t> best{0, 1};
+        for (std::size_t i = 0; i < spheres.size(); ++i) {
+            for (std::size_t j = i + 1; j < spheres.size(); ++j) {
+                if (growth(spheres[i], spheres[j]) < growth(spheres[best.first], spheres[best.second])) best = {i, j};
+            }
+        }
+        const auto [i, j] = best;
+        if (spheres.size() <= count && growth(spheres[i], spheres[j]) > 0) break;
+        spheres[i] = enclose(spheres[i], spheres[j]);
+        spheres.erase(spheres.begin() + static_cast<std::ptrdiff_t>(j));
+    }
+    return spheres;
+}
+
+}  // namespace etendue
