@@ -7,7 +7,7 @@ import sys
 import time
 from pathlib import Path
 
-from parity import correctness, report, speed
+from parity import closed_form, correctness, report, speed
 from parity.cases import CASES, SKY
 from parity.races import RACES
 from parity.sky import write_sky
@@ -23,6 +23,9 @@ def main() -> int:
     arguments = _arguments()
     if arguments.speed:
         run_speed(arguments.only, arguments.effort)
+        return 0
+    if arguments.closed_form:
+        report.replace(PARITY_TABLE, "closed form", closed_form.results_table(WORK))
         return 0
     return run_correctness(arguments.only, arguments.effort, arguments.pictures)
 
@@ -61,6 +64,9 @@ def _arguments() -> argparse.Namespace:
     )
     parser.add_argument("--speed", action="store_true", help="efficiency instead of agreement")
     parser.add_argument("--only", metavar="NAME", default="", help="rows whose name contains it")
+    parser.add_argument(
+        "--closed-form", action="store_true", help="who is right where others disagree"
+    )
     parser.add_argument(
         "--effort", metavar="X", type=float, default=1.0, help="multiplies the samples (default 1)"
     )

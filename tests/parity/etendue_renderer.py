@@ -40,14 +40,16 @@ class EtendueRenderer:
     """A session for every picture."""
 
     def __init__(self, task: Task) -> None:
+        assert task.stage is not None
         self._task = task
+        self._camera = task.stage.camera
         self._stage = Stage(read_choice(task.stage))
 
     def render(self, spp: int, seed: int) -> Picture:
         """The clock runs while the session does; the scene is built before."""
         task = self._task
         session = self._stage.session(
-            task.stage.camera,
+            self._camera,
             resolution=(task.width, task.height),
             integrator=task.method.integrator,
             spp=spp,
@@ -60,7 +62,9 @@ class EtendueRenderer:
         image = session.run()
         wall, cpu = clock.wall, clock.cpu
         if any(image.statistics.invalid.values()):
-            raise ArithmeticError(f"{task.stage.file}: invalid samples {image.statistics.invalid}")
+            raise ArithmeticError(
+                f"{self._stage.source}: invalid samples {image.statistics.invalid}"
+            )
         return Picture(image.color.astype(np.float64), wall, cpu)
 
 

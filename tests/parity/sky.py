@@ -16,11 +16,7 @@ def write_sky(file: Path) -> None:
 
     Smooth and large: where renderers put the centres of its texels must not matter.
     """
-    longitude = np.pi * (1 - (2 * np.arange(WIDTH) + 1) / WIDTH)[None, :]
-    latitude = np.pi / 2 * (1 - (2 * np.arange(HEIGHT) + 1) / HEIGHT)[:, None]
-    x = np.cos(latitude) * np.sin(longitude)
-    y = np.sin(latitude) + 0 * longitude
-    z = np.cos(latitude) * np.cos(longitude)
+    x, y, z = np.moveaxis(latlong_directions(), -1, 0)
     sun = np.exp(40 * (0.48 * x + 0.64 * y + 0.6 * z - 1))
     red = 0.4 + 0.3 * x + 12 * sun
     green = 0.4 + 0.3 * y * y + 10 * sun
@@ -28,11 +24,25 @@ def write_sky(file: Path) -> None:
     write_radiance(file, np.stack([red, green, blue], axis=-1))
 
 
+def latlong_directions() -> Floats:
+    """Of the texels' centres, (h, w, 3): OpenEXR's convention, +z in the middle, +x left of it."""
+    longitude = np.pi * (1 - (2 * np.arange(WIDTH) + 1) / WIDTH)[None, :]
+    latitude = np.pi / 2 * (1 - (2 * np.arange(HEIGHT) + 1) / HEIGHT)[:, None]
+    return np.stack(
+        [
+            np.cos(latitude) * np.sin(longitude),
+            np.sin(latitude) + 0 * longitude,
+            np.cos(latitude) * np.cos(longitude),
+        ],
+        axis=-1,
+    )
+
+
 def write_radiance(file: Path, image: Floats) -> None:
     """An uncompressed .hdr file: 8-bit mantissas with a common exponent."""
     height, width, _ = image.shape
     _, exponent = np.frexp(image.max(axis=2, keepdims=True))
-    mantissas = np.floor(np.ldexp(image, 8 - exponent)).clip(0, 255)
+    mantissas = np.rint(np.ldexp(image, 8 - exponent)).clip(0, 255)
     pixels = np.concatenate([mantissas, exponent + 128], axis=2).astype(np.uint8)
     header = f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n"
     file.parent.mkdir(parents=True, exist_ok=True)

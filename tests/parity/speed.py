@@ -97,7 +97,6 @@ HEAD = (
     "stage",
     "depth",
     "who",
-    "spp",
     "CPU s",
     "wall s",
     "relMSE",
@@ -126,7 +125,6 @@ def results_table(results: Results) -> str:
 def _cells(result: Efficiency) -> Row:
     return (
         str(result.runner.method),
-        str(result.runner.spp),
         f"{result.cpu:.2f}",
         f"{result.wall:.2f}",
         f"{result.error:.3g}",

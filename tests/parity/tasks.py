@@ -36,8 +36,8 @@ class Task:
     """One picture, to be rendered any number of times."""
 
     method: Method
-    stage: StageChoice
-    scene: Scene | None  #: the stage told as a plain scene; Etendue reads the stage itself
+    stage: StageChoice | None  #: what Etendue reads
+    scene: Scene | None  #: the same for the others
     width: int
     height: int
     max_depth: int  #: bounces; 0 shows emission only
