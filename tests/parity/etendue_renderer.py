@@ -33,7 +33,7 @@ def read_choice(choice: StageChoice) -> StageContents:
 def camera_index(contents: StageContents, choice: StageChoice) -> int:
     """Of the chosen camera, in the scene description."""
     camera = choice.camera or contents.settings.camera
-    return contents.cameras.perspective.index(camera) if camera else 0
+    return contents.cameras.index(camera) if camera else 0
 
 
 class EtendueRenderer:
