@@ -128,6 +128,10 @@ void bind_materials(py::module_& module) {
         .def_readwrite("transmission_weight", &OpenPbrMaterial::transmission_weight)
         .def_readwrite("transmission_color", &OpenPbrMaterial::transmission_color)
         .def_readwrite("transmission_depth", &OpenPbrMaterial::transmission_depth)
+        .def_readwrite("coat_weight", &OpenPbrMaterial::coat_weight)
+        .def_readwrite("coat_roughness", &OpenPbrMaterial::coat_roughness)
+        .def_readwrite("coat_ior", &OpenPbrMaterial::coat_ior)
+        .def_readwrite("coat_darkening", &OpenPbrMaterial::coat_darkening)
         .def_readwrite("geometry_opacity", &OpenPbrMaterial::geometry_opacity);
     def_keyword_constructor<OpenPbrMaterial>(open_pbr);
     module.attr("MaterialModel") = diffuse | conductor | dielectric | preview | open_pbr;

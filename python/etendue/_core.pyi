@@ -386,6 +386,10 @@ class OpenPbrMaterial:
         transmission_weight: FloatInput = ...,
         transmission_color: ColorInput = ...,
         transmission_depth: float = ...,
+        coat_weight: FloatInput = ...,
+        coat_roughness: FloatInput = ...,
+        coat_ior: float = ...,
+        coat_darkening: FloatInput = ...,
         geometry_opacity: FloatInput = ...,
     ) -> None: ...
     base_weight: FloatInput
@@ -398,6 +402,10 @@ class OpenPbrMaterial:
     transmission_weight: FloatInput
     transmission_color: ColorInput
     transmission_depth: float
+    coat_weight: FloatInput
+    coat_roughness: FloatInput
+    coat_ior: float
+    coat_darkening: FloatInput
     geometry_opacity: FloatInput
 
 MaterialModel = (

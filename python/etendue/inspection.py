@@ -166,6 +166,8 @@ def _lobes(model: _core.MaterialModel) -> set[str]:
         lobes |= _by_roughness(model.specular_roughness, "reflection")
     if _may_exceed(model.transmission_weight, 0):
         lobes |= _by_roughness(model.specular_roughness, "reflection", "transmission")
+    if _may_exceed(model.coat_weight, 0):
+        lobes |= _by_roughness(model.coat_roughness, "reflection")
     if _may_be_below(model.geometry_opacity, 1):
         lobes.add("cutout")
     return lobes

@@ -66,6 +66,7 @@ def test_instanced_triangles(build: StageBuilder) -> None:
             {"transmission_weight": 1.0},
             {"rough_reflection", "rough_transmission"},
         ),
+        (OPEN_PBR, {"coat_weight": 1.0}, {"smooth_reflection", "rough_reflection"}),
         (OPEN_PBR, {"geometry_opacity": 0.5, "specular_weight": 0.0}, {"cutouts"}),
     ],
 )

@@ -200,6 +200,10 @@ def test_open_pbr(build: StageBuilder) -> None:
             specular_ior=1.25,
             transmission_weight=1.0,
             transmission_color=(0.75, 0.5, 0.25),
+            coat_weight=0.25,
+            coat_roughness=0.5,
+            coat_ior=1.75,
+            coat_darkening=0.125,
             geometry_opacity=0.875,
             emission_luminance=2.0,
             emission_color=(0.5, 1.0, 0.25),
@@ -216,6 +220,10 @@ def test_open_pbr(build: StageBuilder) -> None:
     assert model.specular_ior == 1.25
     assert model.transmission_weight.value == 1
     assert model.transmission_color.value == [0.75, 0.5, 0.25]
+    assert model.coat_weight.value == 0.25
+    assert model.coat_roughness.value == 0.5
+    assert model.coat_ior == 1.75
+    assert model.coat_darkening.value == 0.125
     assert model.geometry_opacity.value == 0.875
     assert material(contents).emission.value == [1, 2, 0.5]
     assert contents.warnings == ()
@@ -242,6 +250,7 @@ def test_open_pbr_unsupported_inputs(build: StageBuilder) -> None:
             OPEN_PBR,
             path,
             coat_weight=0.5,
+            coat_color=(1.0, 0.5, 0.0),
             thin_film_weight=0.0,
             transmission_scatter=(0.1, 0.0, 0.0),
             fuzz_color=(1.0, 0.0, 0.0),
@@ -253,9 +262,16 @@ def test_open_pbr_unsupported_inputs(build: StageBuilder) -> None:
         ("/A/Surface", 2)
     ] * 3
     text = warning_texts(contents)
-    assert "'coat_weight' is not supported; rendered without it" in text
     assert "'transmission_scatter' is not supported; rendered without it" in text
+    assert "'coat_color' is not supported; rendered without it" in text
     assert "'geometry_thin_walled'" in text
+
+
+def test_open_pbr_coat_inputs_mean_nothing_without_a_coat(build: StageBuilder) -> None:
+    bound(build, OPEN_PBR, coat_color=(1.0, 0.5, 0.0), coat_roughness=0.5)
+    contents = build.read()
+    assert open_pbr(contents).coat_roughness.value == 0.5
+    assert contents.warnings == ()
 
 
 def test_mtlx_output_comes_first(build: StageBuilder) -> None:

@@ -62,6 +62,35 @@ LayeredParameters veiled(double alpha, double veil, double ior) {
     return p;
 }
 
+BsdfModel clearcoated(LayeredParameters p, const Clearcoat& clearcoat) {
+    p.clearcoat = clearcoat;
+    return Layered(p);
+}
+
+LayeredParameters white_metal(double alpha) {
+    LayeredParameters p;
+    p.alpha = alpha;
+    p.metal = 1;
+    p.metal_fresnel = {Rgb(1), Rgb(1), Rgb()};
+    return p;
+}
+
+void add_clearcoats(std::vector<BsdfCase>& cases) {
+    const auto add = [&](const std::string& below, const LayeredParameters& p, const Clearcoat& clearcoat, double width,
+                         bool white) {
+        const bool two_sided = p.veil == 0 && p.glass == 0;
+        const double ior = p.veil > 0 ? p.veil_ior : p.glass > 0 ? 1.5 : 1;
+        cases.push_back({"clearcoat alpha " + number(clearcoat.alpha) + " over " + below, clearcoated(p, clearcoat),
+                         ior, width, two_sided, white});
+    };
+    add("mirror", white_metal(0), {0, 0.04, 1}, 1, true);
+    add("veil", veiled(0, 1, 1.5), {0, 0.02, 0.5}, 1, true);
+    add("plastic", plastic(0.25, 0.04), {0, 0.04, 1}, 0.25, true);
+    add("metal", white_metal(0.25), {0.04, 0.02, 0.5}, 0.04, true);
+    add("mixture", mixture(0.09), {0.64, 0.04, 1}, 0.04, false);
+    add("smooth mixture", mixture(0), {0.25, 0.04, 1}, 1, false);
+}
+
 std::vector<BsdfCase> make_cases() {
     std::vector<BsdfCase> cases;
     cases.push_back({"diffuse", Diffuse(Rgb(1)), 1, 1, true, true});
@@ -83,6 +112,7 @@ std::vector<BsdfCase> make_cases() {
     cases.push_back({"veil alpha 0", Layered(veiled(0, 1, 1.5)), 1.5, 1, false, true});
     cases.push_back({"half a veil alpha 0.16", Layered(veiled(0.16, 0.5, 1.5)), 1.5, 0.16, false, true});
     cases.push_back({"half a veil alpha 0.09, ior 1", Layered(veiled(0.09, 0.5, 1)), 1, 0.09, false, true});
+    add_clearcoats(cases);
     return cases;
 }
 

@@ -97,7 +97,7 @@ struct PreviewSurfaceMaterial {
     double ior = 1.5;
 };
 
-/// The dielectric, metal and diffuse parts of OpenPBR 1.1. Emission goes to MaterialDesc::emission.
+/// The dielectric, metal, diffuse and coat parts of OpenPBR 1.1. Emission goes to MaterialDesc::emission.
 struct OpenPbrMaterial {
     FloatInput base_weight{1.0};
     ColorInput base_color{{0.8, 0.8, 0.8}};
@@ -109,6 +109,10 @@ struct OpenPbrMaterial {
     FloatInput transmission_weight{0.0};
     ColorInput transmission_color{{1, 1, 1}};
     double transmission_depth = 0;  ///< scene units; as of DielectricMaterial
+    FloatInput coat_weight{0.0};
+    FloatInput coat_roughness{0.0};
+    double coat_ior = 1.6;
+    FloatInput coat_darkening{1.0};
     FloatInput geometry_opacity{1.0};
 };
 

@@ -8,28 +8,15 @@
 namespace etendue {
 namespace {
 
-/// Refraction turns a facet's slope into a deflection of about |ior - 1| times it. Below this the whole lobe is as
-/// narrow as one of alpha = kSmoothAlpha at the largest roughness.
-constexpr double kMatchedIndices = 1e-5;
-
 Vec3 flip(const Vec3& w) { return {w.x, w.y, -w.z}; }
 
 double squared(double x) { return x * x; }
 
 }  // namespace
 
-Dielectric::Dielectric(double ior, double alpha, const Rgb& reflection_tint, const Rgb& transmission_tint)
-    : ior_(ior),
-      alpha_(alpha),
-      smooth_(alpha < kSmoothAlpha || std::abs(ior - 1) < kMatchedIndices),
-      reflection_tint_(reflection_tint),
-      transmission_tint_(transmission_tint),
-      reflection_strength_(max_component(reflection_tint)),
-      transmission_strength_(max_component(transmission_tint)) {}
-
 double Dielectric::reflection_probability(double fresnel) const {
-    const double reflected = fresnel * reflection_strength_;
-    const double transmitted = (1 - fresnel) * transmission_strength_;
+    const double reflected = fresnel * max_component(reflection_tint_);
+    const double transmitted = (1 - fresnel) * max_component(transmission_tint_);
     return reflected > 0 ? reflected / (reflected + transmitted) : 0;
 }
 
@@ -80,16 +67,16 @@ Dielectric::Scattering Dielectric::scattering(const Vec3& wo, const Vec3& wi) co
 }
 
 Rgb Dielectric::eval(const Vec3& wo, const Vec3& wi, TransportMode mode, const AdjointPolicy& policy) const {
-    if (smooth_) return Rgb();
+    if (smooth()) return Rgb();
     return scattering(wo, wi).f * squared_index_factor(mode, eta(wo), eta(wi), policy);
 }
 
-double Dielectric::pdf(const Vec3& wo, const Vec3& wi) const { return smooth_ ? 0 : scattering(wo, wi).pdf_fwd; }
+double Dielectric::pdf(const Vec3& wo, const Vec3& wi) const { return smooth() ? 0 : scattering(wo, wi).pdf_fwd; }
 
 std::optional<BsdfSample> Dielectric::sample(const Vec3& wo, double u_lobe, const Vec2& u, TransportMode mode,
                                              const AdjointPolicy& policy) const {
     if (wo.z == 0) return std::nullopt;
-    if (smooth_) return sample_smooth(wo, u_lobe, mode, policy);
+    if (smooth()) return sample_smooth(wo, u_lobe, mode, policy);
 
     const Vec3 up = wo.z > 0 ? wo : flip(wo);
     const double eta_o = eta(wo);
@@ -138,7 +125,7 @@ std::optional<BsdfSample> Dielectric::sample_smooth(const Vec3& wo, double u_lob
     }
     const double p = 1 - p_reflection;
     const double cos_t = eta_t == eta_o ? cos_o : refracted_cos(cos_o, eta_t / eta_o);
-    if (!(cos_t > 0) || transmission_strength_ == 0) return std::nullopt;
+    if (!(cos_t > 0) || is_black(transmission_tint_)) return std::nullopt;
     sample.wi = refract_at_plane(wo, eta_o / eta_t, cos_t);
     sample.weight = transmission_tint_ * ((1 - fresnel) / p * squared_index_factor(mode, eta_o, eta_t, policy));
     set_delta_pdfs(sample, wo, p, p, eta_o, eta_t);

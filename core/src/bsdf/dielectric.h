@@ -15,20 +15,26 @@ namespace etendue {
 /// vector of refraction is no longer defined, and nothing is deflected.
 class Dielectric {
 public:
-    Dielectric(double ior, double alpha, const Rgb& reflection_tint = Rgb(1), const Rgb& transmission_tint = Rgb(1));
+    Dielectric(double ior, double alpha, const Rgb& reflection_tint = Rgb(1), const Rgb& transmission_tint = Rgb(1))
+        : ior_(ior), alpha_(alpha), reflection_tint_(reflection_tint), transmission_tint_(transmission_tint) {}
 
     [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, TransportMode mode, const AdjointPolicy& policy) const;
     [[nodiscard]] double pdf(const Vec3& wo, const Vec3& wi) const;
     [[nodiscard]] std::optional<BsdfSample> sample(const Vec3& wo, double u_lobe, const Vec2& u, TransportMode mode,
                                                    const AdjointPolicy& policy) const;
 
-    [[nodiscard]] bool has_delta() const { return smooth_; }
-    [[nodiscard]] bool has_non_delta() const { return !smooth_; }
+    [[nodiscard]] bool has_delta() const { return smooth(); }
+    [[nodiscard]] bool has_non_delta() const { return !smooth(); }
 
     /// Index on the side of the surface on which w lies.
     [[nodiscard]] double eta(const Vec3& w) const { return w.z > 0 ? 1 : ior_; }
 
 private:
+    /// Refraction turns a facet's slope into a deflection of about |ior - 1| times it. Below this the whole lobe is as
+    /// narrow as one of alpha = kSmoothAlpha at the largest roughness.
+    static constexpr double kMatchedIndices = 1e-5;
+    [[nodiscard]] bool smooth() const { return alpha_ < kSmoothAlpha || std::abs(ior_ - 1) < kMatchedIndices; }
+
     /// One pair of directions: f as particles see it, without the squared-index factor, and both densities.
     struct Scattering {
         Rgb f;
@@ -44,11 +50,8 @@ private:
 
     double ior_;
     double alpha_;
-    bool smooth_;
     Rgb reflection_tint_;
     Rgb transmission_tint_;
-    double reflection_strength_;
-    double transmission_strength_;
 };
 
 /// Direction refracted at a plane of normal +-z; eta is the index on wo's side over that beyond, cos_t the cosine

@@ -19,24 +19,40 @@ double base_scale(double diffuse, double mean_transmittance) {
     return mean_transmittance > kOpaqueCoat ? diffuse / mean_transmittance : 0;
 }
 
+/// Mean of (1 - E)^2.
+Rgb mean_squared_transmittance(double alpha, const Rgb& f0, const Rgb& f90) {
+    return Rgb(1) - mean_specular_albedo(alpha)(f0, f90) * 2 + mean_squared_specular_albedo(alpha)(f0, f90);
+}
+
+/// 1 - E_mean of all that lies over the diffuse base, or more.
+Rgb mean_transmittance(const LayeredParameters& p) {
+    if (p.clearcoat.f90 == 0) return Rgb(1) - mean_specular_albedo(p.alpha)(p.coat_f0, p.coat_f90);
+    const Clearcoat& top = p.clearcoat;
+    const Rgb squares = mean_squared_transmittance(p.alpha, p.coat_f0, p.coat_f90) *
+                        mean_squared_transmittance(top.alpha, Rgb(top.f0), Rgb(top.f90));
+    return {std::sqrt(squares.r), std::sqrt(squares.g), std::sqrt(squares.b)};
+}
+
 }  // namespace
 
 Layered::Layered(const LayeredParameters& parameters) : p_(parameters) {
-    const Rgb mean = Rgb(1) - mean_specular_albedo(p_.alpha)(p_.coat_f0, p_.coat_f90);
-    base_scale_ = {base_scale(p_.diffuse.r, mean.r), base_scale(p_.diffuse.g, mean.g),
-                   base_scale(p_.diffuse.b, mean.b)};
+    const Rgb mean = mean_transmittance(p_);
+    p_.diffuse = {base_scale(p_.diffuse.r, mean.r), base_scale(p_.diffuse.g, mean.g), base_scale(p_.diffuse.b, mean.b)};
+    base_share_ = is_black(p_.diffuse) ? 0 : max_component(parameters.diffuse) / max_component(p_.diffuse);
 }
 
 bool Layered::has_delta() const {
     const bool mirror = smooth() && p_.metal + p_.coated + p_.veil > 0;
-    return p_.presence < 1 || mirror || p_.veil > 0 || (p_.glass > 0 && p_.glass_model.has_delta());
+    return p_.presence < 1 || mirror || (has_clearcoat() && clearcoat_is_smooth()) || p_.veil > 0 ||
+           (p_.glass > 0 && p_.glass_model.has_delta());
 }
 
 bool Layered::has_non_delta() const {
     if (!(p_.presence > 0)) return false;
     const bool rough = !smooth() && p_.metal + p_.coated + p_.veil > 0;
-    const bool diffuse = p_.coated > 0 && !is_black(base_scale_);
-    return rough || diffuse || (p_.glass > 0 && p_.glass_model.has_non_delta());
+    const bool diffuse = p_.coated > 0 && !is_black(p_.diffuse);
+    const bool clearcoat = has_clearcoat() && !clearcoat_is_smooth();
+    return rough || diffuse || clearcoat || (p_.glass > 0 && p_.glass_model.has_non_delta());
 }
 
 double Layered::eta(const Vec3& w) const {
@@ -51,11 +67,44 @@ Rgb Layered::specular_weight(double cos_m, bool outside) const {
     return p_.metal_fresnel(cos_m) * p_.metal + p_.coat_tint * coat_fresnel(cos_m) * coat;
 }
 
-/// T: never more than what the coat leaves.
+/// Fresnel factor of the clearcoat's lobe.
+double Layered::clearcoat_weight(double cos_m, bool outside) const {
+    const double s5 = pow5(std::max(0.0, 1 - cos_m));
+    return clearcoat_share(outside) * std::lerp(p_.clearcoat.f0, p_.clearcoat.f90, s5);
+}
+
+/// E_c.
+double Layered::clearcoat_albedo(double cos) const {
+    const Clearcoat& top = p_.clearcoat;
+    const SpecularAlbedo albedo = specular_albedo(cos, top.alpha);
+    return albedo.of_f0 * top.f0 + albedo.of_f90 * top.f90;
+}
+
+/// T_c: never more than what the clearcoat leaves.
+double Layered::clearcoat_transmittance(double cos) const {
+    const double margin = specular_albedo_margin(cos, p_.clearcoat.alpha) * p_.clearcoat.f90;
+    return std::max(0.0, 1 - clearcoat_albedo(cos) - margin);
+}
+
+/// What a clearcoat on both sides leaves of the metal and the coat.
+double Layered::under_clearcoat(const Vec3& wo, const Vec3& wi) const {
+    if (!has_clearcoat()) return 1;
+    return std::min(clearcoat_transmittance(std::abs(wo.z)), clearcoat_transmittance(std::abs(wi.z)));
+}
+
+/// What a clearcoat outside leaves of the glass.
+double Layered::glass_under_clearcoat(const Vec3& wo, const Vec3& wi) const {
+    if (!has_clearcoat()) return 1;
+    const auto one = [this](const Vec3& w) { return w.z > 0 ? clearcoat_transmittance(w.z) : 1; };
+    return std::min(one(wo), one(wi));
+}
+
+/// T T_c: never more than what the coats leave.
 Rgb Layered::base_transmittance(double cos) const {
     const Rgb albedo = specular_albedo(cos, p_.alpha)(p_.coat_f0, p_.coat_f90);
     const double margin = specular_albedo_margin(cos, p_.alpha);
-    const auto rest = [margin](double e) { return std::max(0.0, 1 - e - margin); };
+    const double above = has_clearcoat() ? clearcoat_transmittance(cos) : 1;
+    const auto rest = [margin, above](double e) { return std::max(0.0, 1 - e - margin) * above; };
     return {rest(albedo.r), rest(albedo.g), rest(albedo.b)};
 }
 
@@ -69,11 +118,18 @@ Layered::LobeProbabilities Layered::probabilities(const Vec3& wo) const {
                          p_.coat_tint * albedo(p_.coat_f0, p_.coat_f90) * coat;
     LobeProbabilities p;
     p.specular = max_component(specular);
-    if (p_.coated > 0) p.diffuse = p_.coated * max_component(p_.diffuse * base_transmittance(cos));
+    if (p_.coated > 0) p.diffuse = p_.coated * base_share_ * max_component(p_.diffuse * base_transmittance(cos));
     if (p_.veil > 0) p.veil = outside ? p_.veil * max_component(base_transmittance(cos)) : p_.veil;
     p.glass = p_.glass;
-    const double sum = p.specular + p.diffuse + p.veil + p.glass;
+    if (has_clearcoat()) {
+        const double below = clearcoat_transmittance(cos);
+        p.clearcoat = clearcoat_share(outside) * clearcoat_albedo(cos);
+        p.specular *= below;
+        if (outside) p.glass *= below;
+    }
+    const double sum = p.clearcoat + p.specular + p.diffuse + p.veil + p.glass;
     const double scale = sum > 0 ? p_.presence / sum : 0;
+    p.clearcoat *= scale;
     p.specular *= scale;
     p.diffuse *= scale;
     p.veil *= scale;
@@ -87,14 +143,18 @@ Rgb Layered::eval(const Vec3& wo, const Vec3& wi, TransportMode mode, const Adjo
     if (wo.z * wi.z > 0) {
         if (!smooth()) {
             const MicrofacetReflection facet(Ggx(p_.alpha), wo, wi);
-            f += specular_weight(facet.cos_m, wo.z > 0) * facet.value;
+            f += specular_weight(facet.cos_m, wo.z > 0) * (facet.value * under_clearcoat(wo, wi));
+        }
+        if (has_clearcoat() && !clearcoat_is_smooth()) {
+            const MicrofacetReflection facet(Ggx(p_.clearcoat.alpha), wo, wi);
+            f += Rgb(clearcoat_weight(facet.cos_m, wo.z > 0) * facet.value);
         }
         if (p_.coated > 0) {
-            f += base_scale_ * base_transmittance(std::abs(wo.z)) * base_transmittance(std::abs(wi.z)) *
+            f += p_.diffuse * base_transmittance(std::abs(wo.z)) * base_transmittance(std::abs(wi.z)) *
                  (p_.coated * kInvPi);
         }
     }
-    if (p_.glass > 0) f += p_.glass_model.eval(wo, wi, mode, policy) * p_.glass;
+    if (p_.glass > 0) f += p_.glass_model.eval(wo, wi, mode, policy) * (p_.glass * glass_under_clearcoat(wo, wi));
     return f * p_.presence;
 }
 
@@ -102,6 +162,9 @@ double Layered::pdf(const LobeProbabilities& p, const Vec3& wo, const Vec3& wi) 
     double pdf = 0;
     if (wo.z * wi.z > 0) {
         if (!smooth()) pdf += p.specular * MicrofacetReflection(Ggx(p_.alpha), wo, wi).pdf_fwd;
+        if (has_clearcoat() && !clearcoat_is_smooth()) {
+            pdf += p.clearcoat * MicrofacetReflection(Ggx(p_.clearcoat.alpha), wo, wi).pdf_fwd;
+        }
         pdf += p.diffuse * std::abs(wi.z) * kInvPi;
     }
     if (p.glass > 0) pdf += p.glass * p_.glass_model.pdf(wo, wi);
@@ -117,9 +180,15 @@ std::optional<BsdfSample> Layered::sample(const Vec3& wo, double u_lobe, const V
     double rest = u_lobe;
     if (rest < p.hole) return sample_hole(p, wo);
     rest -= p.hole;
+    if (rest < p.clearcoat) {
+        if (!clearcoat_is_smooth()) return sample_reflection(p, Ggx(p_.clearcoat.alpha), wo, u, mode, policy);
+        return sample_mirror(wo, Rgb(clearcoat_weight(std::abs(wo.z), wo.z > 0)), p.clearcoat);
+    }
+    rest -= p.clearcoat;
     if (rest < p.specular) {
-        if (smooth()) return sample_mirror(p, wo);
-        return finish(p, wo, sample_microfacet_reflection(Ggx(p_.alpha), wo, u), mode, policy);
+        const double cos = std::abs(wo.z);
+        if (smooth()) return sample_mirror(wo, specular_weight(cos, wo.z > 0) * under_clearcoat(wo, wo), p.specular);
+        return sample_reflection(p, Ggx(p_.alpha), wo, u, mode, policy);
     }
     rest -= p.specular;
     if (rest < p.diffuse) {
@@ -131,15 +200,7 @@ std::optional<BsdfSample> Layered::sample(const Vec3& wo, double u_lobe, const V
     if (rest < p.veil) return sample_veil(p, wo, rest / p.veil, mode, policy);
     rest -= p.veil;
     if (!(p.glass > 0)) return std::nullopt;
-
-    const double u_glass = std::clamp(rest / p.glass, 0.0, kOneMinusEpsilon);
-    Sample sample = p_.glass_model.sample(wo, u_glass, u, mode, policy);
-    if (!sample) return std::nullopt;
-    if (!sample->delta) return finish(p, wo, sample->wi, mode, policy);
-    sample->weight *= p_.presence * p_.glass / p.glass;
-    sample->pdf_fwd *= p.glass;
-    sample->pdf_rev *= probabilities(sample->wi).glass;
-    return sample;
+    return sample_glass(p, wo, std::clamp(rest / p.glass, 0.0, kOneMinusEpsilon), u, mode, policy);
 }
 
 /// A direction from a non-delta lobe, weighed with all of them.
@@ -167,11 +228,29 @@ Layered::Sample Layered::sample_hole(const LobeProbabilities& p, const Vec3& wo)
     return sample;
 }
 
-Layered::Sample Layered::sample_mirror(const LobeProbabilities& p, const Vec3& wo) const {
+Layered::Sample Layered::sample_mirror(const Vec3& wo, const Rgb& albedo, double probability) const {
     BsdfSample sample;
     sample.wi = {-wo.x, -wo.y, wo.z};
-    sample.weight = specular_weight(std::abs(wo.z), wo.z > 0) * (p_.presence / p.specular);
-    set_delta_pdfs(sample, wo, p.specular, p.specular, eta(wo), eta(wo));
+    sample.weight = albedo * (p_.presence / probability);
+    set_delta_pdfs(sample, wo, probability, probability, eta(wo), eta(wo));
+    return sample;
+}
+
+Layered::Sample Layered::sample_reflection(const LobeProbabilities& p, const Ggx& ggx, const Vec3& wo, const Vec2& u,
+                                           TransportMode mode, const AdjointPolicy& policy) const {
+    const Vec3 wi = sample_microfacet_reflection(ggx, wo, u);
+    if (!(wo.z * wi.z > 0)) return std::nullopt;  // masked, though glass may well send light there
+    return finish(p, wo, wi, mode, policy);
+}
+
+Layered::Sample Layered::sample_glass(const LobeProbabilities& p, const Vec3& wo, double u_lobe, const Vec2& u,
+                                      TransportMode mode, const AdjointPolicy& policy) const {
+    Sample sample = p_.glass_model.sample(wo, u_lobe, u, mode, policy);
+    if (!sample) return std::nullopt;
+    if (!sample->delta) return finish(p, wo, sample->wi, mode, policy);
+    sample->weight *= p_.presence * p_.glass * glass_under_clearcoat(wo, sample->wi) / p.glass;
+    sample->pdf_fwd *= p.glass;
+    sample->pdf_rev *= probabilities(sample->wi).glass;
     return sample;
 }
 

@@ -23,7 +23,16 @@ double grazing_reflectance(double ior) {
     return std::clamp(f0 + 21 * (mean_fresnel_dielectric(ior) - f0), f0, 1.0);
 }
 
-/// The dielectric, metal and diffuse parts of OpenPBR 1.1 at one point.
+/// OpenPBR's coat_darkening: of what the base reflects, the coat's inner side sends the part K = 1 - (1 - F0) / eta^2
+/// back to it, so that its albedo E becomes E (1 - K) / (1 - E K).
+Rgb darkening(const Rgb& albedo, double coat_ior, double amount) {
+    const double k = std::max(0.0, 1 - (1 - normal_reflectance(coat_ior)) / (coat_ior * coat_ior));
+    const auto factor = [&](double e) { return 1 - amount + amount * (1 - k) / (1 - e * k); };
+    return {factor(albedo.r), factor(albedo.g), factor(albedo.b)};
+}
+
+/// The dielectric, metal and diffuse parts of OpenPBR 1.1 at one point, and the coat over them. Below a coat, ior and
+/// roughness stay those of the base in air.
 struct OpenPbr {
     Rgb base;
     Rgb specular_color;
@@ -35,6 +44,8 @@ struct OpenPbr {
     double presence;
     double alpha;
     double ior;
+    Clearcoat coat;
+    Rgb darkened{1};  ///< factor on everything below the coat
 
     OpenPbr(const OpenPbrMaterial& material, const InputReader& read)
         : base(read.reflectance(material.base_color) * read.fraction(material.base_weight)),
@@ -46,7 +57,15 @@ struct OpenPbr {
           transmission(read.fraction(material.transmission_weight)),
           presence(read.fraction(material.geometry_opacity)),
           alpha(read.alpha(material.specular_roughness)),
-          ior(modulated_ior(usable_ior(material.specular_ior), specular_weight)) {}
+          ior(modulated_ior(usable_ior(material.specular_ior), specular_weight)) {
+        const double coat_ior = usable_ior(material.coat_ior);
+        const double weight = read.fraction(material.coat_weight);
+        if (!(weight > 0) || coat_ior == 1) return;
+        coat = {read.alpha(material.coat_roughness), weight * normal_reflectance(coat_ior),
+                weight * grazing_reflectance(coat_ior)};
+        const Rgb base_albedo = lerp(metalness, base, base * specular_weight);
+        darkened = darkening(base_albedo, coat_ior, weight * read.fraction(material.coat_darkening));
+    }
 
     /// F82-tint: Schlick's curve from the base colour to white, brought down to specular_color times itself at cos =
     /// 1/7; all of it times specular_weight.
@@ -55,11 +74,13 @@ struct OpenPbr {
         constexpr double kRest = 1 - kCos;
         const Rgb at_82 = base + (Rgb(1) - base) * pow5(kRest);
         const Rgb dip = (Rgb(1) - specular_color) * at_82 / (kCos * pow5(kRest) * kRest);
-        return {base * specular_weight, Rgb(specular_weight), dip * specular_weight};
+        const Rgb scale = darkened * specular_weight;
+        return {base * scale, scale, dip * scale};
     }
 
     [[nodiscard]] Dielectric glass() const {
-        return Dielectric(ior, alpha, specular_color, clear_surface ? Rgb(1) : transmission_color);
+        const Rgb tint = clear_surface ? Rgb(1) : transmission_color;
+        return Dielectric(ior, alpha, specular_color * darkened, tint * darkened);
     }
 };
 
@@ -72,10 +93,11 @@ LayeredParameters layers(const OpenPbr& surface) {
     p.coated = (1 - surface.metalness) * (1 - surface.transmission);
     p.coat_f0 = Rgb(normal_reflectance(surface.ior));
     p.coat_f90 = Rgb(grazing_reflectance(surface.ior));
-    p.coat_tint = surface.specular_color;
-    p.diffuse = surface.base;
+    p.coat_tint = surface.specular_color * surface.darkened;
+    p.diffuse = surface.base * surface.darkened;
     p.glass = (1 - surface.metalness) * surface.transmission;
     p.glass_model = surface.glass();
+    p.clearcoat = surface.coat;
     return p;
 }
 
@@ -83,7 +105,7 @@ LayeredParameters layers(const OpenPbr& surface) {
 
 BsdfModel make_model(const OpenPbrMaterial& material, const InputReader& read) {
     const OpenPbr surface(material, read);
-    if (surface.presence == 1) {
+    if (surface.presence == 1 && surface.coat.f90 == 0) {
         if (surface.metalness == 1) return Conductor(surface.metal(), surface.alpha);
         if (surface.metalness == 0 && surface.transmission == 1) return surface.glass();
         if (surface.metalness == 0 && surface.transmission == 0 && surface.ior == 1) return Diffuse(surface.base);
@@ -96,7 +118,8 @@ Rgb albedo(const OpenPbrMaterial& material, const InputReader& read) {
     const double f0 = normal_reflectance(surface.ior);
     const Rgb below = lerp(surface.transmission, surface.base, surface.transmission_color);
     const Rgb dielectric = surface.specular_color * f0 + below * (1 - f0);
-    return lerp(surface.metalness, dielectric, surface.base * surface.specular_weight);
+    const Rgb substrate = lerp(surface.metalness, dielectric, surface.base * surface.specular_weight);
+    return Rgb(surface.coat.f0) + substrate * surface.darkened * (1 - surface.coat.f0);
 }
 
 }  // namespace etendue

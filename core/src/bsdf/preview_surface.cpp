@@ -14,6 +14,7 @@ struct PreviewSurface {
     double presence = 1;
     double alpha = 0;
     double ior = 1.5;
+    Clearcoat clearcoat;
 
     PreviewSurface(const PreviewSurfaceMaterial& material, const InputReader& read)
         : diffuse(read.reflectance(material.diffuse_color)),
@@ -28,6 +29,11 @@ struct PreviewSurface {
         // The specification gives f90 = 1 even where f0 = 0. Authors write ior 1 or a black specularColor to be rid of
         // the highlight altogether, and there is no interface then that could reflect.
         if (is_black(f0)) f90 = Rgb();
+
+        const double amount = read.fraction(material.clearcoat);
+        if (amount > 0 && ior != 1) {
+            clearcoat = {read.alpha(material.clearcoat_roughness), amount * normal_reflectance(ior), amount};
+        }
 
         const double authored = read.fraction(material.opacity);
         if (material.opacity_threshold > 0) {
@@ -52,6 +58,7 @@ LayeredParameters layers(const PreviewSurface& surface) {
     p.coat_f0 = surface.f0;
     p.coat_f90 = surface.f90;
     p.diffuse = surface.diffuse;
+    p.clearcoat = surface.clearcoat;
     return p;
 }
 
@@ -59,10 +66,11 @@ LayeredParameters layers(const PreviewSurface& surface) {
 
 /// opacityMode "transparent": opacity scales the diffuse part, the highlight stays, and what it leaves of the rest goes
 /// through. The specification does not say whether that light bends; here it does, by ior, as the name says. Metal lets
-/// nothing through. Transmission is smooth at any roughness.
+/// nothing through. Transmission is smooth at any roughness. The clearcoat has the material's ior; how the layers share
+/// the light is not specified either: Layered says how.
 BsdfModel make_model(const PreviewSurfaceMaterial& material, const InputReader& read) {
     const PreviewSurface surface(material, read);
-    if (surface.presence == 1) {
+    if (surface.presence == 1 && surface.clearcoat.f90 == 0) {
         if (surface.metallic == 1) return Conductor({surface.diffuse, surface.diffuse, Rgb()}, surface.alpha);
         const bool solid = surface.metallic == 0 && surface.opacity == 1;
         if (solid && is_black(surface.f90)) return Diffuse(surface.diffuse);
@@ -76,7 +84,8 @@ Rgb albedo(const PreviewSurfaceMaterial& material, const InputReader& read) {
     const PreviewSurface surface(material, read);
     const Rgb base = lerp(surface.opacity, Rgb(1), surface.diffuse);
     const Rgb dielectric = surface.f0 + (Rgb(1) - surface.f0) * base;
-    return lerp(surface.metallic, dielectric, surface.diffuse);
+    const Rgb below = lerp(surface.metallic, dielectric, surface.diffuse);
+    return Rgb(surface.clearcoat.f0) + below * (1 - surface.clearcoat.f0);
 }
 
 }  // namespace etendue

@@ -20,6 +20,18 @@ SpecularAlbedo operator+(const SpecularAlbedo& a, const SpecularAlbedo& b) {
     return {a.of_f0 + b.of_f0, a.of_f90 + b.of_f90};
 }
 
+SquaredSpecularAlbedo operator*(const SquaredSpecularAlbedo& a, double s) {
+    return {a.of_f0_f0 * s, a.of_f0_f90 * s, a.of_f90_f90 * s};
+}
+SquaredSpecularAlbedo operator+(const SquaredSpecularAlbedo& a, const SquaredSpecularAlbedo& b) {
+    return {a.of_f0_f0 + b.of_f0_f0, a.of_f0_f90 + b.of_f0_f90, a.of_f90_f90 + b.of_f90_f90};
+}
+
+/// The products of two albedos, symmetrised.
+SquaredSpecularAlbedo product(const SpecularAlbedo& a, const SpecularAlbedo& b) {
+    return {a.of_f0 * b.of_f0, (a.of_f0 * b.of_f90 + a.of_f90 * b.of_f0) / 2, a.of_f90 * b.of_f90};
+}
+
 SpecularAlbedo smooth_albedo(double cos) {
     const double s5 = pow5(1 - cos);
     return {1 - s5, s5};
@@ -54,6 +66,7 @@ public:
             const double roughness = static_cast<double>(r) / (kRoughnesses - 1);
             for (int c = 0; c < kCosines; ++c) entry(r, c) = make_entry(node_cos(c), roughness * roughness);
             mean(r) = integrate_row(r);
+            mean_square(r) = integrate_squared_row(r);
         }
     }
 
@@ -72,6 +85,11 @@ public:
         return lerp(r.fraction, mean(r.index), mean(r.index + 1));
     }
 
+    [[nodiscard]] SquaredSpecularAlbedo squared(double alpha) const {
+        const Position r = position(alpha, kRoughnesses);
+        return lerp(r.fraction, mean_square(r.index), mean_square(r.index + 1));
+    }
+
 private:
     struct Position {
         std::size_t index;
@@ -88,7 +106,8 @@ private:
         const int index = std::min(static_cast<int>(scaled), nodes - 2);
         return {static_cast<std::size_t>(index), scaled - index};
     }
-    static SpecularAlbedo lerp(double t, const SpecularAlbedo& a, const SpecularAlbedo& b) {
+    template <typename Albedo>
+    static Albedo lerp(double t, const Albedo& a, const Albedo& b) {
         return a * (1 - t) + b * t;
     }
     static SpecularAlbedo make_entry(double cos, double alpha) {
@@ -106,6 +125,20 @@ private:
         }
         return sum;
     }
+    /// The same with the square: the integral of 2 x ((1 - t) a + t b)^2 from x0 to x1.
+    [[nodiscard]] SquaredSpecularAlbedo integrate_squared_row(int r) const {
+        SquaredSpecularAlbedo sum;
+        for (int c = 0; c + 1 < kCosines; ++c) {
+            const double x0 = node_cos(c);
+            const double x1 = node_cos(c + 1);
+            const SpecularAlbedo& a = entry(r, c);
+            const SpecularAlbedo& b = entry(r, c + 1);
+            sum = sum +
+                  (product(a, a) * (3 * x0 + x1) + product(a, b) * (2 * (x0 + x1)) + product(b, b) * (x0 + 3 * x1)) *
+                      ((x1 - x0) / 6);
+        }
+        return sum;
+    }
 
     template <typename R, typename C>
     [[nodiscard]] const SpecularAlbedo& entry(R r, C c) const {
@@ -117,9 +150,15 @@ private:
         return means_[static_cast<std::size_t>(r)];
     }
     SpecularAlbedo& mean(int r) { return means_[static_cast<std::size_t>(r)]; }
+    template <typename R>
+    [[nodiscard]] const SquaredSpecularAlbedo& mean_square(R r) const {
+        return mean_squares_[static_cast<std::size_t>(r)];
+    }
+    SquaredSpecularAlbedo& mean_square(int r) { return mean_squares_[static_cast<std::size_t>(r)]; }
 
     std::array<std::array<SpecularAlbedo, kCosines>, kRoughnesses> entries_{};
     std::array<SpecularAlbedo, kRoughnesses> means_{};
+    std::array<SquaredSpecularAlbedo, kRoughnesses> mean_squares_{};
 };
 
 const Table& table() {
@@ -143,6 +182,12 @@ double specular_albedo_margin(double cos, double alpha) {
 SpecularAlbedo mean_specular_albedo(double alpha) {
     if (alpha < kSmoothAlpha) return {20.0 / 21, 1.0 / 21};  // 2 times the integral of cos (1 - cos)^5 is 1/21
     return table().hemispherical(alpha);
+}
+
+SquaredSpecularAlbedo mean_squared_specular_albedo(double alpha) {
+    // 2 times the integrals of cos (1 - cos)^5 and cos (1 - cos)^10 are 1/21 and 1/66.
+    if (alpha < kSmoothAlpha) return {1 - 2.0 / 21 + 1.0 / 66, 1.0 / 21 - 1.0 / 66, 1.0 / 66};
+    return table().squared(alpha);
 }
 
 }  // namespace etendue

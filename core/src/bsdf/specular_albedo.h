@@ -12,12 +12,27 @@ struct SpecularAlbedo {
     [[nodiscard]] Rgb operator()(const Rgb& f0, const Rgb& f90) const { return f0 * of_f0 + f90 * of_f90; }
 };
 
+/// Square of an albedo, averaged: quadratic in f0 and f90.
+struct SquaredSpecularAlbedo {
+    double of_f0_f0 = 0;
+    double of_f0_f90 = 0;
+    double of_f90_f90 = 0;
+
+    [[nodiscard]] Rgb operator()(const Rgb& f0, const Rgb& f90) const {
+        return f0 * f0 * of_f0_f0 + f0 * f90 * (2 * of_f0_f90) + f90 * f90 * of_f90_f90;
+    }
+};
+
 /// Directional albedo, the integral of f |cos wi| over wi, for the cosine of wo. Tabulated; exact when smooth.
 [[nodiscard]] SpecularAlbedo specular_albedo(double cos, double alpha);
 
 /// Hemispherical albedo: the integral of 2 cos times specular_albedo(cos, alpha) over cos, exactly that of the
 /// interpolated table.
 [[nodiscard]] SpecularAlbedo mean_specular_albedo(double alpha);
+
+/// The integral of 2 cos times the square of specular_albedo(cos, alpha) over cos, or more: exact at the table's
+/// roughnesses, and squares are convex between them.
+[[nodiscard]] SquaredSpecularAlbedo mean_squared_specular_albedo(double alpha);
 
 /// No true directional albedo with 0 <= f0 <= f90 <= 1 exceeds the tabulated one by more (the tests measure it). The
 /// table is coarsest where albedos change on the scale cos / alpha.

@@ -46,7 +46,8 @@ void check(const PreviewSurfaceMaterial& m, const Checker& checker) {
 }
 void check(const OpenPbrMaterial& m, const Checker& checker) {
     checker.inputs(m.base_weight, m.base_color, m.base_metalness, m.specular_weight, m.specular_color,
-                   m.specular_roughness, m.transmission_weight, m.transmission_color, m.geometry_opacity);
+                   m.specular_roughness, m.transmission_weight, m.transmission_color, m.coat_weight, m.coat_roughness,
+                   m.coat_darkening, m.geometry_opacity);
 }
 
 }  // namespace

@@ -19,9 +19,13 @@ _UNSUPPORTED: dict[str, float | Sequence[float]] = {
     "transmission_dispersion_scale": 0.0,
     "subsurface_weight": 0.0,
     "fuzz_weight": 0.0,
-    "coat_weight": 0.0,
     "thin_film_weight": 0.0,
     "geometry_thin_walled": 0.0,
+}
+# Of a coat, when there is one.
+_UNSUPPORTED_OF_COAT: dict[str, float | Sequence[float]] = {
+    "coat_color": (1.0, 1.0, 1.0),
+    "coat_roughness_anisotropy": 0.0,
 }
 _CONSEQUENCES = {
     "geometry_thin_walled": "the surface is the boundary of a solid",
@@ -29,7 +33,7 @@ _CONSEQUENCES = {
 
 
 def read_open_pbr(context: ReadContext, inputs: ShaderInputs) -> _core.MaterialDesc:
-    """The dielectric, metal and diffuse parts; other layers are left out, each with a warning."""
+    """The dielectric, metal, diffuse and coat parts; other layers are left out, each with a warning."""
     model = _core.OpenPbrMaterial()
     model.base_weight = inputs.number("base_weight", model.base_weight)
     model.base_color = inputs.color("base_color", model.base_color)
@@ -49,9 +53,16 @@ def read_open_pbr(context: ReadContext, inputs: ShaderInputs) -> _core.MaterialD
             "open_pbr_surface: a textured transmission_color tints the surface, whatever the "
             "transmission_depth",
         )
+    model.coat_weight = inputs.number("coat_weight", model.coat_weight)
+    model.coat_roughness = inputs.number("coat_roughness", model.coat_roughness)
+    model.coat_ior = float(inputs.constant("coat_ior", model.coat_ior))
+    model.coat_darkening = inputs.number("coat_darkening", model.coat_darkening)
     model.geometry_opacity = inputs.number("geometry_opacity", model.geometry_opacity)
 
-    for name, default in _UNSUPPORTED.items():
+    unsupported = dict(_UNSUPPORTED)
+    if inputs.is_authored("coat_weight", 0.0):
+        unsupported |= _UNSUPPORTED_OF_COAT
+    for name, default in unsupported.items():
         if inputs.is_authored(name, default):
             consequence = _CONSEQUENCES.get(name, "rendered without it")
             context.report.warn(

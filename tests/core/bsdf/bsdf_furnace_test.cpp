@@ -134,6 +134,44 @@ TEST(BsdfFurnace, WhitePlasticLosesLittle) {
     }
 }
 
+/// The same under a clearcoat: what it does not reflect reaches the plastic, and comes back.
+TEST(BsdfFurnace, WhitePlasticUnderAClearcoatLosesLittle) {
+    for (double alpha : {0.0, 0.04, 0.25}) {
+        for (double top_alpha : {0.0, 0.04, 0.25}) {
+            for (double cos : {0.999, 0.8, 0.5, 0.3}) {
+                LayeredParameters p;
+                p.alpha = alpha;
+                p.coated = 1;
+                p.coat_f0 = Rgb(0.04);
+                p.coat_f90 = Rgb(1);
+                p.diffuse = Rgb(1);
+                p.clearcoat = {top_alpha, 0.04, 1};
+                const auto share = albedo(Layered(p), direction(cos, 2), TransportMode::Radiance, 20000, 21);
+                EXPECT_TRUE(at_most(share, 1)) << "alpha " << alpha << " under " << top_alpha << ", cos " << cos;
+                EXPECT_TRUE(at_least(share, 0.96)) << "alpha " << alpha << " under " << top_alpha << ", cos " << cos;
+            }
+        }
+    }
+}
+
+/// An amount of 0 is no clearcoat at all, and small amounts come close to it.
+TEST(BsdfFurnace, ClearcoatFadesOut) {
+    LayeredParameters p;
+    p.alpha = 0.25;
+    p.coated = 1;
+    p.coat_f0 = Rgb(0.04);
+    p.coat_f90 = Rgb(1);
+    p.diffuse = Rgb(1);
+    const Vec3 wo = direction(0.6, 2);
+    const Vec3 wi = direction(0.3, 4);
+    const auto f = [&](double amount) {
+        p.clearcoat = {0.04, 0.04 * amount, amount};
+        return Layered(p).eval(wo, wi, TransportMode::Radiance, kCorrect).r;
+    };
+    EXPECT_NEAR(f(1e-9) / f(0), 1, 1e-3);  // less by how much Cauchy and Schwarz fall short
+    EXPECT_LT(f(1), 0.95 * f(0));
+}
+
 /// The bound holds for every parameter: random closures, white wherever that is worst.
 TEST(BsdfFurnace, RandomClosuresNeverGainEnergy) {
     Rng rng(19, 0, 0);
@@ -156,11 +194,13 @@ TEST(BsdfFurnace, RandomClosuresNeverGainEnergy) {
         p.diffuse = Rgb(1);
         p.veil_ior = p.coat_f0.r < 0.5 ? 1.5 : 0.7;
         p.glass_model = Dielectric(0.6 + 2 * rng.next_1d(), p.alpha);
+        const double top = i % 2 == 0 ? 0 : rng.next_1d();
+        p.clearcoat = {std::pow(rng.next_1d(), 2), top * std::pow(rng.next_1d(), 3), top};
         const double cos = 2 * rng.next_1d() - 1;
         const auto seed = 100 + static_cast<std::uint64_t>(i);
         EXPECT_TRUE(at_most(albedo(Layered(p), direction(cos, 2), TransportMode::Importance, 4000, seed), 1))
             << "alpha " << p.alpha << " metal " << p.metal << " coated " << p.coated << " veil " << p.veil << " glass "
-            << p.glass << " f0 " << p.coat_f0.r << " cos " << cos;
+            << p.glass << " f0 " << p.coat_f0.r << " clearcoat " << top << " cos " << cos;
     }
 }
 
@@ -218,6 +258,24 @@ TEST(SpecularAlbedo, MeanIsTheIntegralOfTheDirectionalOne) {
         }
         EXPECT_NEAR(mean_specular_albedo(alpha).of_f0, f0, 1e-6) << alpha;
         EXPECT_NEAR(mean_specular_albedo(alpha).of_f90, f90, 1e-6) << alpha;
+    }
+}
+
+/// Bounded from below by the integral for the tabulated albedo, whatever the roughness, and close to it.
+TEST(SpecularAlbedo, MeanSquareIsAtLeastTheIntegral) {
+    for (double alpha : {0.0, 1e-4, 0.01, 0.1, 0.37, 1.0}) {
+        for (const auto& [f0, f90] : {std::pair(0.04, 1.0), std::pair(1.0, 0.0), std::pair(0.3, 0.3)}) {
+            double square = 0;
+            constexpr int kN = 20000;
+            for (int i = 0; i < kN; ++i) {
+                const double cos = (i + 0.5) / kN;
+                const double e = specular_albedo(cos, alpha)(Rgb(f0), Rgb(f90)).r;
+                square += 2 * cos * e * e / kN;
+            }
+            const double bound = mean_squared_specular_albedo(alpha)(Rgb(f0), Rgb(f90)).r;
+            EXPECT_GE(bound, square - 1e-6) << alpha;
+            EXPECT_NEAR(bound, square, 2e-3) << alpha;
+        }
     }
 }
 

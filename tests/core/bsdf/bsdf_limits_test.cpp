@@ -69,6 +69,8 @@ BsdfModel nasty_model(Rng& rng) {
     p.diffuse = nasty_color(rng);
     p.veil_ior = nasty_ior(rng);
     p.glass_model = glass;
+    const double amount = nasty_fraction(rng);
+    if (which < 0.8) p.clearcoat = {nasty_fraction(rng), amount * nasty_fraction(rng), amount};
     return Layered(p);
 }
 

@@ -175,6 +175,54 @@ TEST_F(MaterialTest, PreviewSurfaceOpacity) {
     }
 }
 
+/// The second highlight has the material's ior, its own roughness, and takes light from what is below it.
+TEST_F(MaterialTest, PreviewSurfaceClearcoat) {
+    const Vec3 normal{0, 0, 1};
+    PreviewSurfaceMaterial m;
+    m.diffuse_color.value = {0, 0, 0};
+    m.ior = 2;
+    m.roughness.value = 0;
+    m.clearcoat_roughness.value = 0;
+    m.clearcoat.value = 0.75;
+    const double f0 = 1.0 / 9;
+    EXPECT_NEAR(delta_albedo(bsdf(m), normal, false).r, 0.75 * f0 + (1 - 0.75 * f0) * f0, 1e-3);
+    m.metallic.value = 1;
+    m.diffuse_color.value = {1, 0.5, 0};
+    EXPECT_TRUE(is<Layered>(model(m)));
+    const Rgb gold = delta_albedo(bsdf(m), normal, false);
+    EXPECT_NEAR(gold.r, 1, 1e-12);
+    EXPECT_NEAR(gold.b, 0.75 * f0, 1e-3);
+    m.clearcoat_roughness.value = 0.5;
+    EXPECT_NEAR(delta_albedo(bsdf(m), normal, false).b, 0, 1e-12);
+    EXPECT_TRUE(bsdf(m).connectible());
+    m.ior = 1;
+    EXPECT_TRUE(is<Conductor>(model(m)));
+}
+
+/// coat_weight, coat_ior and coat_darkening: a black and a white mirror under a smooth coat.
+TEST_F(MaterialTest, OpenPbrCoat) {
+    const Vec3 normal{0, 0, 1};
+    OpenPbrMaterial m;
+    m.base_metalness.value = 1;
+    m.base_color.value = {1, 0.5, 0};
+    m.specular_roughness.value = 0;
+    m.coat_weight.value = 0.5;
+    m.coat_darkening.value = 0;
+    const double f0 = std::pow(0.6 / 2.6, 2);
+    const Rgb plain = delta_albedo(bsdf(m), normal, false);
+    EXPECT_NEAR(plain.r, 1, 1e-12);
+    EXPECT_NEAR(plain.g, 0.5 * f0 + (1 - 0.5 * f0) * 0.5, 1e-3);
+    EXPECT_NEAR(plain.b, 0.5 * f0, 1e-3);
+    m.coat_darkening.value = 1;
+    const double k = 1 - (1 - f0) / (1.6 * 1.6);
+    const double factor = 0.5 + 0.5 * (1 - k) / (1 - 0.5 * k);
+    const Rgb dark = delta_albedo(bsdf(m), normal, false);
+    EXPECT_NEAR(dark.r, 1, 1e-12);
+    EXPECT_NEAR(dark.g, 0.5 * f0 + (1 - 0.5 * f0) * 0.5 * factor, 1e-3);
+    m.coat_roughness.value = 0.5;
+    EXPECT_TRUE(bsdf(m).connectible());
+}
+
 /// A hole lets through what the normals disagree about.
 TEST_F(MaterialTest, PresenceDoesNotDependOnNormals) {
     LayeredParameters p;
