@@ -84,7 +84,8 @@ void bind_textures(py::module_& module) {
 
 void bind_materials(py::module_& module) {
     py::class_<DiffuseMaterial> diffuse(module, "DiffuseMaterial");
-    diffuse.def_readwrite("reflectance", &DiffuseMaterial::reflectance);
+    diffuse.def_readwrite("reflectance", &DiffuseMaterial::reflectance)
+        .def_readwrite("roughness", &DiffuseMaterial::roughness);
     def_keyword_constructor<DiffuseMaterial>(diffuse);
 
     py::class_<ConductorMaterial> conductor(module, "ConductorMaterial");
@@ -120,6 +121,7 @@ void bind_materials(py::module_& module) {
     py::class_<OpenPbrMaterial> open_pbr(module, "OpenPbrMaterial");
     open_pbr.def_readwrite("base_weight", &OpenPbrMaterial::base_weight)
         .def_readwrite("base_color", &OpenPbrMaterial::base_color)
+        .def_readwrite("base_diffuse_roughness", &OpenPbrMaterial::base_diffuse_roughness)
         .def_readwrite("base_metalness", &OpenPbrMaterial::base_metalness)
         .def_readwrite("specular_weight", &OpenPbrMaterial::specular_weight)
         .def_readwrite("specular_color", &OpenPbrMaterial::specular_color)

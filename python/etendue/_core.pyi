@@ -315,8 +315,10 @@ class DiffuseMaterial:
         self,
         *,
         reflectance: ColorInput = ...,
+        roughness: FloatInput = ...,
     ) -> None: ...
     reflectance: ColorInput
+    roughness: FloatInput
 
 class ConductorMaterial:
     def __init__(
@@ -378,6 +380,7 @@ class OpenPbrMaterial:
         *,
         base_weight: FloatInput = ...,
         base_color: ColorInput = ...,
+        base_diffuse_roughness: FloatInput = ...,
         base_metalness: FloatInput = ...,
         specular_weight: FloatInput = ...,
         specular_color: ColorInput = ...,
@@ -394,6 +397,7 @@ class OpenPbrMaterial:
     ) -> None: ...
     base_weight: FloatInput
     base_color: ColorInput
+    base_diffuse_roughness: FloatInput
     base_metalness: FloatInput
     specular_weight: FloatInput
     specular_color: ColorInput

@@ -193,6 +193,7 @@ def test_open_pbr(build: StageBuilder) -> None:
             context="mtlx",
             base_weight=0.5,
             base_color=(0.25, 0.5, 0.75),
+            base_diffuse_roughness=0.625,
             base_metalness=0.125,
             specular_weight=0.75,
             specular_color=(0.5, 0.25, 0.125),
@@ -213,6 +214,7 @@ def test_open_pbr(build: StageBuilder) -> None:
     model = open_pbr(contents)
     assert model.base_weight.value == 0.5
     assert model.base_color.value == [0.25, 0.5, 0.75]
+    assert model.base_diffuse_roughness.value == 0.625
     assert model.base_metalness.value == 0.125
     assert model.specular_weight.value == 0.75
     assert model.specular_color.value == [0.5, 0.25, 0.125]

@@ -94,6 +94,9 @@ void add_clearcoats(std::vector<BsdfCase>& cases) {
 std::vector<BsdfCase> make_cases() {
     std::vector<BsdfCase> cases;
     cases.push_back({"diffuse", Diffuse(Rgb(1)), 1, 1, true, true});
+    for (double roughness : {0.3, 1.0}) {
+        cases.push_back({"diffuse roughness " + number(roughness), RoughDiffuse(Rgb(1), roughness), 1, 1, true, true});
+    }
     for (double alpha : {0.0, 1e-4, 0.01, 0.09, 0.25, 1.0}) cases.push_back(conductor(alpha));
     for (double ior : {1.5, 1 / 1.5}) {
         for (double alpha : {0.0, 1e-3, 0.04, 0.25, 1.0}) cases.push_back(dielectric(ior, alpha));
@@ -112,6 +115,9 @@ std::vector<BsdfCase> make_cases() {
     cases.push_back({"veil alpha 0", Layered(veiled(0, 1, 1.5)), 1.5, 1, false, true});
     cases.push_back({"half a veil alpha 0.16", Layered(veiled(0.16, 0.5, 1.5)), 1.5, 0.16, false, true});
     cases.push_back({"half a veil alpha 0.09, ior 1", Layered(veiled(0.09, 0.5, 1)), 1, 0.09, false, true});
+    LayeredParameters rough_base = plastic(0.25, 0.04);
+    rough_base.diffuse_roughness = 0.7;
+    cases.push_back({"plastic of rough base", Layered(rough_base), 1, 0.25, true, true});
     add_clearcoats(cases);
     return cases;
 }

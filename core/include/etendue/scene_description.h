@@ -58,8 +58,10 @@ struct FloatInput {
 
 // --------------------------------------------------------------------------------------------------- materials
 
+/// Lambert; with roughness (0 to 1) Oren-Nayar, energy-preserving ("EON", Portsmouth, Kutz and Hill 2024).
 struct DiffuseMaterial {
     ColorInput reflectance{{0.5, 0.5, 0.5}};
+    FloatInput roughness{0.0};
 };
 
 /// Metal by its normal reflectance (Schlick); roughness is perceptual, alpha = roughness^2; 0 is a mirror.
@@ -101,6 +103,7 @@ struct PreviewSurfaceMaterial {
 struct OpenPbrMaterial {
     FloatInput base_weight{1.0};
     ColorInput base_color{{0.8, 0.8, 0.8}};
+    FloatInput base_diffuse_roughness{0.0};
     FloatInput base_metalness{0.0};
     FloatInput specular_weight{1.0};
     ColorInput specular_color{{1, 1, 1}};

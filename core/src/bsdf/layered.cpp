@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bsdf/microfacet_reflection.h"
+#include "bsdf/rough_diffuse.h"
 #include "bsdf/specular_albedo.h"
 #include "math/sampling.h"
 
@@ -37,8 +38,8 @@ Rgb mean_transmittance(const LayeredParameters& p) {
 
 Layered::Layered(const LayeredParameters& parameters) : p_(parameters) {
     const Rgb mean = mean_transmittance(p_);
-    p_.diffuse = {base_scale(p_.diffuse.r, mean.r), base_scale(p_.diffuse.g, mean.g), base_scale(p_.diffuse.b, mean.b)};
-    base_share_ = is_black(p_.diffuse) ? 0 : max_component(parameters.diffuse) / max_component(p_.diffuse);
+    base_scale_ = {base_scale(p_.diffuse.r, mean.r), base_scale(p_.diffuse.g, mean.g),
+                   base_scale(p_.diffuse.b, mean.b)};
 }
 
 bool Layered::has_delta() const {
@@ -50,7 +51,7 @@ bool Layered::has_delta() const {
 bool Layered::has_non_delta() const {
     if (!(p_.presence > 0)) return false;
     const bool rough = !smooth() && p_.metal + p_.coated + p_.veil > 0;
-    const bool diffuse = p_.coated > 0 && !is_black(p_.diffuse);
+    const bool diffuse = p_.coated > 0 && !is_black(base_scale_);
     const bool clearcoat = has_clearcoat() && !clearcoat_is_smooth();
     return rough || diffuse || clearcoat || (p_.glass > 0 && p_.glass_model.has_non_delta());
 }
@@ -108,6 +109,19 @@ Rgb Layered::base_transmittance(double cos) const {
     return {rest(albedo.r), rest(albedo.g), rest(albedo.b)};
 }
 
+/// f of the diffuse base as seen through the coats.
+Rgb Layered::base(const Vec3& wo, const Vec3& wi) const {
+    const Rgb t_o = base_transmittance(std::abs(wo.z));
+    const Rgb t_i = base_transmittance(std::abs(wi.z));
+    const Rgb lambert = base_scale_ * t_o * t_i * kInvPi;
+    const double roughness = p_.diffuse_roughness;
+    if (roughness == 0) return lambert;
+    const double part = RoughDiffuse::lambert_part(roughness);
+    const Rgb rest = RoughDiffuse::f(p_.diffuse, roughness, wo, wi) - p_.diffuse * (part * kInvPi);
+    const Rgb t_least{std::min(t_o.r, t_i.r), std::min(t_o.g, t_i.g), std::min(t_o.b, t_i.b)};
+    return lambert * part + rest * t_least;
+}
+
 /// Proportional to each lobe's albedo, so that samples carry nearly equal weights; the hole's is exact.
 Layered::LobeProbabilities Layered::probabilities(const Vec3& wo) const {
     const double cos = std::abs(wo.z);
@@ -118,7 +132,7 @@ Layered::LobeProbabilities Layered::probabilities(const Vec3& wo) const {
                          p_.coat_tint * albedo(p_.coat_f0, p_.coat_f90) * coat;
     LobeProbabilities p;
     p.specular = max_component(specular);
-    if (p_.coated > 0) p.diffuse = p_.coated * base_share_ * max_component(p_.diffuse * base_transmittance(cos));
+    if (p_.coated > 0) p.diffuse = p_.coated * max_component(p_.diffuse * base_transmittance(cos));
     if (p_.veil > 0) p.veil = outside ? p_.veil * max_component(base_transmittance(cos)) : p_.veil;
     p.glass = p_.glass;
     if (has_clearcoat()) {
@@ -150,8 +164,7 @@ Rgb Layered::eval(const Vec3& wo, const Vec3& wi, TransportMode mode, const Adjo
             f += Rgb(clearcoat_weight(facet.cos_m, wo.z > 0) * facet.value);
         }
         if (p_.coated > 0) {
-            f += p_.diffuse * base_transmittance(std::abs(wo.z)) * base_transmittance(std::abs(wi.z)) *
-                 (p_.coated * kInvPi);
+            f += base(wo, wi) * p_.coated;
         }
     }
     if (p_.glass > 0) f += p_.glass_model.eval(wo, wi, mode, policy) * (p_.glass * glass_under_clearcoat(wo, wi));
@@ -165,7 +178,7 @@ double Layered::pdf(const LobeProbabilities& p, const Vec3& wo, const Vec3& wi) 
         if (has_clearcoat() && !clearcoat_is_smooth()) {
             pdf += p.clearcoat * MicrofacetReflection(Ggx(p_.clearcoat.alpha), wo, wi).pdf_fwd;
         }
-        pdf += p.diffuse * std::abs(wi.z) * kInvPi;
+        pdf += p.diffuse * RoughDiffuse::pdf(p_.diffuse_roughness, wo, wi);
     }
     if (p.glass > 0) pdf += p.glass * p_.glass_model.pdf(wo, wi);
     return pdf;
@@ -192,8 +205,7 @@ std::optional<BsdfSample> Layered::sample(const Vec3& wo, double u_lobe, const V
     }
     rest -= p.specular;
     if (rest < p.diffuse) {
-        Vec3 wi = sample_cosine_hemisphere(u);
-        if (wo.z < 0) wi = flip(wi);
+        const Vec3 wi = RoughDiffuse::sample_direction(p_.diffuse_roughness, wo, rest / p.diffuse, u);
         return finish(p, wo, wi, mode, policy);
     }
     rest -= p.diffuse;

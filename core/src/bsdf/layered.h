@@ -29,6 +29,7 @@ struct LayeredParameters {
     Rgb coat_f90;
     Rgb coat_tint{1};
     Rgb diffuse;
+    double diffuse_roughness = 0;  ///< of RoughDiffuse; 0 is Lambert
     double veil_ior = 1.5;
     double glass = 0;
     Dielectric glass_model{1, 0};
@@ -41,7 +42,8 @@ struct LayeredParameters {
 ///   metal   GGX reflection. Both sides alike.
 ///   coated  GGX reflection with Fresnel factor F over a diffuse base. Both sides alike. What the coat does not reflect
 ///           reaches the base: f = rho / pi T(wo) T(wi) / (1 - E_mean) with T = 1 - E, E the coat's directional albedo
-///           (Kelemen and Szirmay-Kalos 2001). Symmetric, and its albedo is rho T(wo) or less.
+///           (Kelemen and Szirmay-Kalos 2001). Symmetric, and its albedo is rho T(wo) or less. That is for the part of
+///           a rough base that is Lambert; the rest is multiplied by min(T(wo), T(wi)), to the same effect.
 ///   veil    UsdPreviewSurface's transparent part: the same coat outside, smooth refraction below. It transmits T at
 ///           the outer cosine, from both sides; from inside, the rest is reflected by a mirror.
 ///   glass   a Dielectric.
@@ -88,6 +90,7 @@ private:
     [[nodiscard]] LobeProbabilities probabilities(const Vec3& wo) const;
     [[nodiscard]] Rgb specular_weight(double cos_m, bool outside) const;
     [[nodiscard]] Rgb base_transmittance(double cos) const;
+    [[nodiscard]] Rgb base(const Vec3& wo, const Vec3& wi) const;
     [[nodiscard]] double pdf(const LobeProbabilities& p, const Vec3& wo, const Vec3& wi) const;
     [[nodiscard]] double eta(const Vec3& w) const;
 
@@ -103,8 +106,8 @@ private:
     [[nodiscard]] Sample finish(const LobeProbabilities& p, const Vec3& wo, const Vec3& wi, TransportMode mode,
                                 const AdjointPolicy& policy) const;
 
-    LayeredParameters p_;  ///< `diffuse` is divided by 1 - E_mean
-    double base_share_;    ///< diffuse before that over after, largest channel
+    LayeredParameters p_;
+    Rgb base_scale_;  ///< diffuse / (1 - E_mean)
 };
 
 }  // namespace etendue

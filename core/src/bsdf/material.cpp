@@ -10,7 +10,7 @@ namespace etendue {
 namespace {
 
 BsdfModel make_model(const DiffuseMaterial& material, const InputReader& read) {
-    return Diffuse(read.reflectance(material.reflectance));
+    return diffuse_model(read.reflectance(material.reflectance), read.fraction(material.roughness));
 }
 
 BsdfModel make_model(const ConductorMaterial& material, const InputReader& read) {

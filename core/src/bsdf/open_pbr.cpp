@@ -38,6 +38,7 @@ struct OpenPbr {
     Rgb specular_color;
     Rgb transmission_color;
     bool clear_surface;  ///< transmission_color is that of the inside (interior.h)
+    double diffuse_roughness;
     double metalness;
     double specular_weight;
     double transmission;
@@ -52,6 +53,7 @@ struct OpenPbr {
           specular_color(read.reflectance(material.specular_color)),
           transmission_color(read.reflectance(material.transmission_color)),
           clear_surface(colors_the_inside(material.transmission_color, material.transmission_depth)),
+          diffuse_roughness(read.fraction(material.base_diffuse_roughness)),
           metalness(read.fraction(material.base_metalness)),
           specular_weight(read.fraction(material.specular_weight)),
           transmission(read.fraction(material.transmission_weight)),
@@ -95,6 +97,7 @@ LayeredParameters layers(const OpenPbr& surface) {
     p.coat_f90 = Rgb(grazing_reflectance(surface.ior));
     p.coat_tint = surface.specular_color * surface.darkened;
     p.diffuse = surface.base * surface.darkened;
+    p.diffuse_roughness = surface.diffuse_roughness;
     p.glass = (1 - surface.metalness) * surface.transmission;
     p.glass_model = surface.glass();
     p.clearcoat = surface.coat;
@@ -108,7 +111,9 @@ BsdfModel make_model(const OpenPbrMaterial& material, const InputReader& read) {
     if (surface.presence == 1 && surface.coat.f90 == 0) {
         if (surface.metalness == 1) return Conductor(surface.metal(), surface.alpha);
         if (surface.metalness == 0 && surface.transmission == 1) return surface.glass();
-        if (surface.metalness == 0 && surface.transmission == 0 && surface.ior == 1) return Diffuse(surface.base);
+        if (surface.metalness == 0 && surface.transmission == 0 && surface.ior == 1) {
+            return diffuse_model(surface.base, surface.diffuse_roughness);
+        }
     }
     return Layered(layers(surface));
 }

@@ -35,7 +35,7 @@ private:
     std::size_t count_;
 };
 
-void check(const DiffuseMaterial& m, const Checker& checker) { checker.inputs(m.reflectance); }
+void check(const DiffuseMaterial& m, const Checker& checker) { checker.inputs(m.reflectance, m.roughness); }
 void check(const ConductorMaterial& m, const Checker& checker) { checker.inputs(m.reflectance, m.roughness); }
 void check(const DielectricMaterial& m, const Checker& checker) {
     checker.inputs(m.roughness, m.reflection_tint, m.transmission_tint);
@@ -45,9 +45,9 @@ void check(const PreviewSurfaceMaterial& m, const Checker& checker) {
                    m.opacity);
 }
 void check(const OpenPbrMaterial& m, const Checker& checker) {
-    checker.inputs(m.base_weight, m.base_color, m.base_metalness, m.specular_weight, m.specular_color,
-                   m.specular_roughness, m.transmission_weight, m.transmission_color, m.coat_weight, m.coat_roughness,
-                   m.coat_darkening, m.geometry_opacity);
+    checker.inputs(m.base_weight, m.base_color, m.base_diffuse_roughness, m.base_metalness, m.specular_weight,
+                   m.specular_color, m.specular_roughness, m.transmission_weight, m.transmission_color, m.coat_weight,
+                   m.coat_roughness, m.coat_darkening, m.geometry_opacity);
 }
 
 }  // namespace

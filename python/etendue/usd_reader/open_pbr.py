@@ -13,7 +13,6 @@ NODE_IDS = ("ND_open_pbr_surface_surfaceshader",)
 # The inputs that switch on what is not rendered, with the defaults that leave it off. The other
 # inputs of these layers have no effect by themselves.
 _UNSUPPORTED: dict[str, float | Sequence[float]] = {
-    "base_diffuse_roughness": 0.0,
     "specular_roughness_anisotropy": 0.0,
     "transmission_scatter": (0.0, 0.0, 0.0),
     "transmission_dispersion_scale": 0.0,
@@ -33,10 +32,13 @@ _CONSEQUENCES = {
 
 
 def read_open_pbr(context: ReadContext, inputs: ShaderInputs) -> _core.MaterialDesc:
-    """The dielectric, metal, diffuse and coat parts; other layers are left out, each with a warning."""
+    """The dielectric, metal, diffuse and coat parts; a warning for every layer left out."""
     model = _core.OpenPbrMaterial()
     model.base_weight = inputs.number("base_weight", model.base_weight)
     model.base_color = inputs.color("base_color", model.base_color)
+    model.base_diffuse_roughness = inputs.number(
+        "base_diffuse_roughness", model.base_diffuse_roughness
+    )
     model.base_metalness = inputs.number("base_metalness", model.base_metalness)
     model.specular_weight = inputs.number("specular_weight", model.specular_weight)
     model.specular_color = inputs.color("specular_color", model.specular_color)

@@ -7,6 +7,7 @@
 
 #include "bsdf/fresnel.h"
 #include "bsdf/specular_albedo.h"
+#include "math/constants.h"
 #include "support/bsdf_cases.h"
 #include "support/estimate.h"
 
@@ -172,6 +173,36 @@ TEST(BsdfFurnace, ClearcoatFadesOut) {
     EXPECT_LT(f(1), 0.95 * f(0));
 }
 
+/// Albedo by quadrature in the cosine and the azimuth, which the ridge of s / max(cos_o, cos_i) divides.
+double rough_diffuse_albedo(double reflectance, double roughness, double cos) {
+    constexpr int kN = 300;
+    const Vec3 wo = direction(cos, 0);
+    double sum = 0;
+    for (int half = 0; half < 2; ++half) {
+        const double c0 = half == 0 ? 0 : cos;
+        const double width = half == 0 ? cos : 1 - cos;
+        for (int i = 0; i < kN; ++i) {
+            const double c = c0 + width * (i + 0.5) / kN;
+            for (int j = 0; j < kN; ++j) {
+                const Vec3 wi = direction(c, kPi * (j + 0.5) / kN);
+                sum += RoughDiffuse::f(Rgb(reflectance), roughness, wo, wi).r * c * 2 * kPi * width / (kN * kN);
+            }
+        }
+    }
+    return sum;
+}
+
+/// White reflects everything at any roughness and angle; grey less than its reflectance, for more bounces cost more.
+TEST(BsdfFurnace, RoughDiffusePreservesEnergy) {
+    for (double roughness : {0.1, 0.5, 1.0}) {
+        for (double cos : {1.0, 0.9, 0.5, 0.1, 0.01}) {
+            EXPECT_NEAR(rough_diffuse_albedo(1, roughness, cos), 1, 2e-4) << roughness << ' ' << cos;
+            EXPECT_LT(rough_diffuse_albedo(0.5, roughness, cos), 0.5 + 1e-4) << roughness << ' ' << cos;
+        }
+    }
+    EXPECT_LT(rough_diffuse_albedo(0.5, 1, 1), 0.49);
+}
+
 /// The bound holds for every parameter: random closures, white wherever that is worst.
 TEST(BsdfFurnace, RandomClosuresNeverGainEnergy) {
     Rng rng(19, 0, 0);
@@ -192,6 +223,7 @@ TEST(BsdfFurnace, RandomClosuresNeverGainEnergy) {
         p.coat_f0 = Rgb(std::pow(rng.next_1d(), 3));
         p.coat_f90 = Rgb(1);
         p.diffuse = Rgb(1);
+        if (i % 3 == 0) p.diffuse_roughness = rng.next_1d();
         p.veil_ior = p.coat_f0.r < 0.5 ? 1.5 : 0.7;
         p.glass_model = Dielectric(0.6 + 2 * rng.next_1d(), p.alpha);
         const double top = i % 2 == 0 ? 0 : rng.next_1d();

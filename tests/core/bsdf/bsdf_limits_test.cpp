@@ -51,7 +51,8 @@ BsdfModel nasty_model(Rng& rng) {
     const double roughness = nasty_fraction(rng);
     const double alpha = roughness * roughness;
     const double which = rng.next_1d();
-    if (which < 0.05) return Diffuse(nasty_color(rng));
+    if (which < 0.03) return Diffuse(nasty_color(rng));
+    if (which < 0.06) return RoughDiffuse(nasty_color(rng), nasty_fraction(rng));
     if (which < 0.2) return Conductor(SchlickFresnel{nasty_color(rng), nasty_color(rng), nasty_color(rng)}, alpha);
     const Dielectric glass(nasty_ior(rng), alpha, nasty_color(rng), nasty_color(rng));
     if (which < 0.5) return glass;
@@ -67,6 +68,7 @@ BsdfModel nasty_model(Rng& rng) {
     p.coat_f90 = Rgb(1);
     p.coat_tint = nasty_color(rng);
     p.diffuse = nasty_color(rng);
+    if (which < 0.7) p.diffuse_roughness = nasty_fraction(rng);
     p.veil_ior = nasty_ior(rng);
     p.glass_model = glass;
     const double amount = nasty_fraction(rng);
@@ -102,6 +104,22 @@ TEST(BsdfLimits, NothingButValidNumbers) {
         EXPECT_TRUE(std::isfinite(bsdf.pdf(sample->wi, wo))) << i;
     }
     EXPECT_GT(drawn, 60000);
+}
+
+/// Roughness 0 is Lambert to rounding, and small roughness is near it.
+TEST(BsdfLimits, DiffuseRoughnessTendsToLambert) {
+    const Rgb color{0.9, 0.5, 0.1};
+    Rng rng(46, 0, 0);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 wo = direction(0.05 + 0.95 * rng.next_1d(), 1);
+        const Vec3 wi = direction(0.05 + 0.95 * rng.next_1d(), 7 * rng.next_1d());
+        const Rgb lambert = flat(Diffuse(color)).eval_cos(wo, wi, TransportMode::Radiance, kCorrect);
+        for (double roughness : {0.0, 1e-6}) {
+            const Rgb f = flat(RoughDiffuse(color, roughness)).eval_cos(wo, wi, TransportMode::Radiance, kCorrect);
+            EXPECT_NEAR(f.r / lambert.r, 1, 1e-14 + 30 * roughness);
+            EXPECT_NEAR(f.b / lambert.b, 1, 1e-14 + 30 * roughness);
+        }
+    }
 }
 
 /// Narrow GGX lobes tend to the smooth interface: same directions, same weights, same chances.

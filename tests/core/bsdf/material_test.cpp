@@ -90,6 +90,8 @@ TEST_F(MaterialTest, OpenPbrBecomesTheSimplestModel) {
     EXPECT_TRUE(is<Layered>(model(m)));
     m.specular_weight.value = 0;
     EXPECT_TRUE(is<Diffuse>(model(m)));
+    m.base_diffuse_roughness.value = 0.5;
+    EXPECT_TRUE(is<RoughDiffuse>(model(m)));
     m.transmission_weight.value = 1;
     EXPECT_TRUE(is<Dielectric>(model(m)));
     m.base_metalness.value = 1;
@@ -131,6 +133,22 @@ TEST_F(MaterialTest, RoughnessIsPerceptual) {
     EXPECT_EQ(bsdf(m).pdf(wo, wi), flat(Conductor(Rgb(1), 0.25)).pdf(wo, wi));
     m.roughness.value = 0;
     EXPECT_FALSE(bsdf(m).connectible());
+}
+
+TEST_F(MaterialTest, DiffuseRoughness) {
+    DiffuseMaterial m;
+    m.roughness.value = 0.4;
+    OpenPbrMaterial plastic;
+    plastic.specular_weight.value = 0;
+    plastic.base_color = m.reflectance;
+    plastic.base_diffuse_roughness.value = 0.4;
+    const Vec3 wo = direction(0.4, 1);
+    const Vec3 wi = direction(0.3, 1.2);
+    const Rgb f = bsdf(m).eval_cos(wo, wi, TransportMode::Radiance, kCorrect);
+    EXPECT_EQ(f, flat(RoughDiffuse(Rgb(0.5), 0.4)).eval_cos(wo, wi, TransportMode::Radiance, kCorrect));
+    EXPECT_EQ(f, bsdf(plastic).eval_cos(wo, wi, TransportMode::Radiance, kCorrect));
+    m.roughness.value = 0;
+    EXPECT_LT(bsdf(m).eval_cos(wo, wi, TransportMode::Radiance, kCorrect).r, f.r);  // rough sends light back
 }
 
 TEST_F(MaterialTest, PreviewSurfaceReflectsByIorOrBySpecularColor) {
