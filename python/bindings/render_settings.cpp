@@ -34,7 +34,8 @@ void bind_enums(py::module_& module) {
 void bind_parts(py::module_& module) {
     py::class_<AdjointPolicy> adjoint(module, "AdjointPolicy");
     adjoint.def_readwrite("refraction", &AdjointPolicy::refraction)
-        .def_readwrite("shading_normal", &AdjointPolicy::shading_normal);
+        .def_readwrite("shading_normal", &AdjointPolicy::shading_normal)
+        .def_readwrite("phong", &AdjointPolicy::phong);
     def_keyword_constructor<AdjointPolicy>(adjoint);
 
     py::class_<StrategySet> strategies(module, "StrategySet");

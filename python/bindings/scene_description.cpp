@@ -136,7 +136,16 @@ void bind_materials(py::module_& module) {
         .def_readwrite("coat_darkening", &OpenPbrMaterial::coat_darkening)
         .def_readwrite("geometry_opacity", &OpenPbrMaterial::geometry_opacity);
     def_keyword_constructor<OpenPbrMaterial>(open_pbr);
-    module.attr("MaterialModel") = diffuse | conductor | dielectric | preview | open_pbr;
+
+    py::enum_<PhongForm>(module, "PhongForm")
+        .value("Modified", PhongForm::Modified)
+        .value("Classic", PhongForm::Classic);
+    py::class_<PhongMaterial> phong(module, "PhongMaterial");
+    phong.def_readwrite("reflectance", &PhongMaterial::reflectance)
+        .def_readwrite("exponent", &PhongMaterial::exponent)
+        .def_readwrite("form", &PhongMaterial::form);
+    def_keyword_constructor<PhongMaterial>(phong);
+    module.attr("MaterialModel") = diffuse | conductor | dielectric | preview | open_pbr | phong;
 
     py::class_<MaterialDesc> material(module, "MaterialDesc");
     material.def_readwrite("name", &MaterialDesc::name)

@@ -73,6 +73,22 @@ class PreviewOpacityMode:
     def __ne__(self, other: object, /) -> bool: ...
 
 @final
+class PhongForm:
+    Modified: PhongForm
+    Classic: PhongForm
+    __members__: dict[str, PhongForm]
+    def __init__(self, value: int) -> None: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def value(self) -> int: ...
+    def __int__(self) -> int: ...
+    def __index__(self) -> int: ...
+    def __hash__(self) -> int: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __ne__(self, other: object, /) -> bool: ...
+
+@final
 class Interpolation:
     Constant: Interpolation
     Uniform: Interpolation
@@ -412,12 +428,25 @@ class OpenPbrMaterial:
     coat_darkening: FloatInput
     geometry_opacity: FloatInput
 
+class PhongMaterial:
+    def __init__(
+        self,
+        *,
+        reflectance: ColorInput = ...,
+        exponent: FloatInput = ...,
+        form: PhongForm = ...,
+    ) -> None: ...
+    reflectance: ColorInput
+    exponent: FloatInput
+    form: PhongForm
+
 MaterialModel = (
     DiffuseMaterial
     | ConductorMaterial
     | DielectricMaterial
     | PreviewSurfaceMaterial
     | OpenPbrMaterial
+    | PhongMaterial
 )
 
 class MaterialDesc:
@@ -688,9 +717,11 @@ class AdjointPolicy:
         *,
         refraction: bool = ...,
         shading_normal: bool = ...,
+        phong: bool = ...,
     ) -> None: ...
     refraction: bool
     shading_normal: bool
+    phong: bool
 
 class StrategySet:
     def __init__(

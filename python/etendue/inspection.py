@@ -161,6 +161,8 @@ def _lobes(model: _core.MaterialModel) -> set[str]:
         return _by_roughness(model.roughness, "reflection", "transmission")
     if isinstance(model, _core.PreviewSurfaceMaterial):
         return _preview_lobes(model)
+    if isinstance(model, _core.PhongMaterial):
+        return {"rough reflection"}
     lobes: set[str] = set()
     if _may_exceed(model.specular_weight, 0) or _may_exceed(model.base_metalness, 0):
         lobes |= _by_roughness(model.specular_roughness, "reflection")

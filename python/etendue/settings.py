@@ -25,7 +25,7 @@ FILTERS = {
 }
 AOVS = {_core.aov_name(aov): aov for aov in _core.Aov.__members__.values()}
 STRATEGIES = ("emission_hit", "direct_light", "connection", "light_image", "lens_hit")
-ADJOINT = ("refraction", "shading_normal")
+ADJOINT = ("refraction", "shading_normal", "phong")
 
 _T = TypeVar("_T")
 
@@ -52,7 +52,7 @@ class RenderOptions(TypedDict, total=False):
     single_strategy: (s, t), s light and t camera vertices: shows this strategy alone, unweighted.
     light_paths: light subpaths per pixel and pass. Default 2.
     roulette_depth: bounces before Russian roulette; negative: never.
-    adjoint: the names of ADJOINT corrections that are made; default both. Leaving one out is
+    adjoint: the names of ADJOINT corrections that are made; default all. Leaving one out is
         wrong on purpose, for validation.
     """
 

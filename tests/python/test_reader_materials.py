@@ -231,6 +231,26 @@ def test_open_pbr(build: StageBuilder) -> None:
     assert contents.warnings == ()
 
 
+def test_phong(build: StageBuilder) -> None:
+    bound(build, "EtenduePhong", reflectance=(0.25, 0.5, 0.75), exponent=7.5, form="classic")
+    contents = build.read()
+    model = material(contents).model
+    assert isinstance(model, _core.PhongMaterial)
+    assert model.reflectance.value == [0.25, 0.5, 0.75]
+    assert model.exponent.value == 7.5
+    assert model.form == _core.PhongForm.Classic
+    assert contents.warnings == ()
+
+
+def test_phong_of_unknown_form_is_modified(build: StageBuilder) -> None:
+    bound(build, "EtenduePhong", form="blinn")
+    contents = build.read()
+    model = material(contents).model
+    assert isinstance(model, _core.PhongMaterial)
+    assert model.form == _core.PhongForm.Modified
+    assert "unknown form 'blinn'" in warning_texts(contents)
+
+
 def test_open_pbr_emission_is_off_by_default(build: StageBuilder) -> None:
     bound(build, OPEN_PBR, emission_color=(1.0, 1.0, 1.0))
     assert material(build.read()).emission.value == [0, 0, 0]

@@ -50,6 +50,8 @@ CASES = [
     Case("bump_sphere", "path", 32),
     Case("bump_sphere", "light", 256),
     Case("furnace", "path", 32),
+    Case("phong", "path", 32),
+    Case("phong", "light", 128),
     Case("glass_sphere", "path", 256, lamp_radius=0.4),
     Case("glass_sphere", "light", 1024, crop=(0, 8, 16, 12)),
     Case("flat_pool", "path", 256, lamp_radius=0.8),

@@ -115,6 +115,14 @@ std::vector<BsdfCase> make_cases() {
     cases.push_back({"veil alpha 0", Layered(veiled(0, 1, 1.5)), 1.5, 1, false, true});
     cases.push_back({"half a veil alpha 0.16", Layered(veiled(0.16, 0.5, 1.5)), 1.5, 0.16, false, true});
     cases.push_back({"half a veil alpha 0.09, ior 1", Layered(veiled(0.09, 0.5, 1)), 1, 0.09, false, true});
+    for (double exponent : {0.0, 8.0, 5000.0}) {
+        const double width = std::min(1.0, std::sqrt(2 / (exponent + 1)));
+        for (PhongForm form : {PhongForm::Modified, PhongForm::Classic}) {
+            const bool modified = form == PhongForm::Modified;
+            cases.push_back({(modified ? "modified Phong " : "classic Phong ") + number(exponent),
+                             Phong(Rgb(0.9, 0.6, 0.3), exponent, form), 1, width, true, false, modified});
+        }
+    }
     LayeredParameters rough_base = plastic(0.25, 0.04);
     rough_base.diffuse_roughness = 0.7;
     cases.push_back({"plastic of rough base", Layered(rough_base), 1, 0.25, true, true});

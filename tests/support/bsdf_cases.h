@@ -19,6 +19,7 @@ struct BsdfCase {
     double lobe_width = 1;  ///< radians, of the narrowest lobe that is not a delta
     bool two_sided = true;  ///< the inside behaves like the outside
     bool white = false;     ///< absorbs nothing on purpose: the furnace may lose masked light only
+    bool symmetric = true;  ///< physical: reciprocal, and conserves the energy of particles too
 };
 
 /// Every model over its parameters: roughness from smooth to 1, indices below, at and above 1, tints, mixtures.

@@ -13,10 +13,11 @@ enum class IntegratorKind { Path, Light, Bdpt };
 /// Power heuristic has beta = 2 (Veach 9.2), balance beta = 1.
 enum class MisHeuristic { Balance, Power };
 
-/// The two adjoint corrections (theory.md §5, §6). Switching one off is wrong on purpose: for validation only.
+/// The three adjoint corrections (theory.md §5, §6, §7). Switching one off is wrong on purpose: for validation only.
 struct AdjointPolicy {
     bool refraction = true;
     bool shading_normal = true;
+    bool phong = true;
 };
 
 /// Which bidirectional strategies take part. (s, t): s light vertices, t camera vertices. With a subset the image is

@@ -119,8 +119,18 @@ struct OpenPbrMaterial {
     FloatInput geometry_opacity{1.0};
 };
 
-using MaterialModel =
-    std::variant<DiffuseMaterial, ConductorMaterial, DielectricMaterial, PreviewSurfaceMaterial, OpenPbrMaterial>;
+/// Modified: symmetric. Classic: divided by the cosine of the direction that light comes from (theory.md §7).
+enum class PhongForm { Modified, Classic };
+
+/// Phong's highlight alone; `reflectance` is the albedo seen along the normal.
+struct PhongMaterial {
+    ColorInput reflectance{{0.5, 0.5, 0.5}};
+    FloatInput exponent{20.0};
+    PhongForm form = PhongForm::Modified;
+};
+
+using MaterialModel = std::variant<DiffuseMaterial, ConductorMaterial, DielectricMaterial, PreviewSurfaceMaterial,
+                                   OpenPbrMaterial, PhongMaterial>;
 
 struct MaterialDesc {
     std::string name;

@@ -9,7 +9,7 @@
 
 namespace etendue {
 
-/// Both asymmetries of scattering, and nowhere else (theory.md §5, §6; Veach 5.2, 5.3).
+/// The three asymmetries of scattering, and nowhere else (theory.md §5, §6, §7; Veach 5.2, 5.3).
 
 /// Factor on the weight of a path that crosses a refracting interface. Radiance is scaled by the squared index of the
 /// known (camera) side over the sampled one; particles are not scaled. With the correction off, particles are scaled
@@ -32,6 +32,13 @@ inline double shading_normal_factor(TransportMode mode, double cos_wo_ng, double
                                     double cos_wi_ns, const AdjointPolicy& policy) {
     if (mode == TransportMode::Radiance || !policy.shading_normal) return 1;
     return (cos_wo_ns * cos_wi_ng) / (cos_wo_ng * cos_wi_ns);
+}
+
+/// The cosine by which the classic Phong form divides: that of the direction light comes from, which is the sampled one
+/// for radiance and the known one for particles. With the correction off, particles are scattered as if they were
+/// radiance: wrong / right = |wi . N| / |wo . N| with wi where light comes from. Absolute cosines, local names.
+inline double phong_cosine(TransportMode mode, double cos_wo, double cos_wi, const AdjointPolicy& policy) {
+    return mode == TransportMode::Radiance || !policy.phong ? cos_wi : cos_wo;
 }
 
 }  // namespace etendue

@@ -11,6 +11,7 @@
 #include "bsdf/dielectric.h"
 #include "bsdf/diffuse.h"
 #include "bsdf/layered.h"
+#include "bsdf/phong.h"
 #include "bsdf/rough_diffuse.h"
 #include "bsdf/transport_mode.h"
 #include "math/frame.h"
@@ -22,7 +23,7 @@ namespace etendue {
 ///   double pdf(wo, wi)                             per solid angle, non-delta lobes only; the same in both modes
 ///   optional<BsdfSample> sample(wo, u_lobe, u, mode, policy)
 ///   bool has_delta() / bool has_non_delta()
-using BsdfModel = std::variant<Diffuse, RoughDiffuse, Conductor, Dielectric, Layered>;
+using BsdfModel = std::variant<Diffuse, RoughDiffuse, Phong, Conductor, Dielectric, Layered>;
 
 /// A BSDF at a point: a local model, its shading frame and the geometric normal, which together make fbar of
 /// theory.md §6. wo is the known direction (towards the previous vertex), wi the sampled one; both point away.

@@ -24,6 +24,14 @@ BsdfModel make_model(const DielectricMaterial& material, const InputReader& read
                       clear_surface ? Rgb(1) : read.reflectance(material.transmission_tint));
 }
 
+/// A Phong lobe of this exponent is 1e-4 rad wide, which densities in double still resolve.
+constexpr double kLargestExponent = 1e8;
+
+BsdfModel make_model(const PhongMaterial& material, const InputReader& read) {
+    return Phong(read.reflectance(material.reflectance), read.number(material.exponent, kLargestExponent),
+                 material.form);
+}
+
 Rgb albedo(const DiffuseMaterial& material, const InputReader& read) { return read.reflectance(material.reflectance); }
 
 Rgb albedo(const ConductorMaterial& material, const InputReader& read) {
@@ -33,6 +41,8 @@ Rgb albedo(const ConductorMaterial& material, const InputReader& read) {
 Rgb albedo(const DielectricMaterial& material, const InputReader& read) {
     return read.reflectance(material.transmission_tint);
 }
+
+Rgb albedo(const PhongMaterial& material, const InputReader& read) { return read.reflectance(material.reflectance); }
 
 Vec3 normalize_or(const Vec3& v, const Vec3& otherwise) {
     const double l = length(v);

@@ -28,11 +28,13 @@ Rgb InputReader::radiance(const ColorInput& input) const {
     return {bring_into(c.r, 0, kHuge), bring_into(c.g, 0, kHuge), bring_into(c.b, 0, kHuge)};
 }
 
-double InputReader::fraction(const FloatInput& input) const {
+double InputReader::number(const FloatInput& input, double high) const {
     const double value =
         input.texture < 0 ? input.value : textures_.lookup_channel(input.texture, st_.x, st_.y, input.channel);
-    return bring_into(value, 0, 1);
+    return bring_into(value, 0, high);
 }
+
+double InputReader::fraction(const FloatInput& input) const { return number(input, 1); }
 
 double InputReader::alpha(const FloatInput& roughness) const {
     const double r = fraction(roughness);

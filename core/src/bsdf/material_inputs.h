@@ -19,6 +19,8 @@ public:
     [[nodiscard]] Rgb radiance(const ColorInput& input) const;
     /// Number in [0, 1].
     [[nodiscard]] double fraction(const FloatInput& input) const;
+    /// Number in [0, high].
+    [[nodiscard]] double number(const FloatInput& input, double high) const;
     /// GGX alpha of a perceptual roughness.
     [[nodiscard]] double alpha(const FloatInput& roughness) const;
 

@@ -50,6 +50,8 @@ void check(const OpenPbrMaterial& m, const Checker& checker) {
                    m.coat_roughness, m.coat_darkening, m.geometry_opacity);
 }
 
+void check(const PhongMaterial& m, const Checker& checker) { checker.inputs(m.reflectance, m.exponent); }
+
 }  // namespace
 
 void check_textures(const MaterialDesc& material, std::size_t texture_count) {

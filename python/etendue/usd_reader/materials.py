@@ -9,7 +9,7 @@ import numpy as np
 from pxr import Usd, UsdShade
 
 from etendue import _core
-from etendue.usd_reader import open_pbr, preview_surface
+from etendue.usd_reader import open_pbr, phong, preview_surface
 from etendue.usd_reader.colors import to_rendering_space
 from etendue.usd_reader.context import ReadContext, SkippingUnusable
 from etendue.usd_reader.networks import shader_id
@@ -22,6 +22,7 @@ _Reader = Callable[[ReadContext, ShaderInputs], _core.MaterialDesc]
 _READERS: dict[str, _Reader] = {
     **dict.fromkeys(preview_surface.NODE_IDS, preview_surface.read_preview_surface),
     **dict.fromkeys(open_pbr.NODE_IDS, open_pbr.read_open_pbr),
+    **dict.fromkeys(phong.NODE_IDS, phong.read_phong),
 }
 # In order of preference; the empty one is the universal context.
 _RENDER_CONTEXTS = ("mtlx", "")

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "math/constants.h"
 #include "support/bsdf_cases.h"
 
 namespace etendue::test {
@@ -94,6 +95,45 @@ TEST(ShadingNormal, ParticlesOffATiltedMirror) {
     ASSERT_TRUE(particles && radiance);
     EXPECT_NEAR(particles->weight.r, particles->wi.z / wo.z, 1e-14);
     EXPECT_NEAR(radiance->weight.r, 1, 1e-14);
+}
+
+constexpr AdjointPolicy kNoPhong{.refraction = true, .shading_normal = true, .phong = false};
+
+/// fs(wi -> wo) = Cr cos^n / |wi.N| by hand, with light coming from wi; for particles wo is where it comes from.
+TEST(ClassicPhong, DividesByTheCosineOfTheIncomingDirection) {
+    const Bsdf bsdf = flat(Phong(Rgb(0.6), 4, PhongForm::Classic));
+    const Vec3 wo = direction(0.3, 0);
+    const Vec3 wi = direction(0.8, kPi + 0.4);
+    const double lobe = 0.6 * 5 / (2 * kPi) * std::pow(dot({-wo.x, -wo.y, wo.z}, wi), 4);
+    const auto f = [&](TransportMode mode, const AdjointPolicy& policy) {
+        return bsdf.eval_cos(wo, wi, mode, policy).r / wi.z;
+    };
+    EXPECT_NEAR(f(TransportMode::Radiance, kCorrect), lobe / 0.8, 1e-14);
+    EXPECT_NEAR(f(TransportMode::Importance, kCorrect), lobe / 0.3, 1e-14);
+    EXPECT_NEAR(f(TransportMode::Radiance, kNoPhong), lobe / 0.8, 1e-14);
+    EXPECT_NEAR(f(TransportMode::Importance, kNoPhong), lobe / 0.8, 1e-14);
+}
+
+/// The switch reaches samples too, and nothing but the classic form.
+TEST(ClassicPhong, LeavingTheAdjointOutIsWrongByThePredictedRatio) {
+    int checked = 0;
+    for (const BsdfCase& c : bsdf_cases()) {
+        const Bsdf bsdf = tilted(c.model);
+        for (std::uint64_t i = 0; i < 100; ++i) {
+            Rng rng(37, i, 0);
+            const Vec3 wo = random_direction(rng);
+            Rng a(38, i, 0);
+            Rng b(38, i, 0);
+            const auto right = draw(bsdf, wo, TransportMode::Importance, a);
+            const auto wrong = draw(bsdf, wo, TransportMode::Importance, b, kNoPhong);
+            ASSERT_EQ(right.has_value(), wrong.has_value());
+            if (!right) continue;
+            const double predicted = c.symmetric ? 1 : abs_dot(wo, bsdf.n_s()) / abs_dot(right->wi, bsdf.n_s());
+            EXPECT_NEAR(ratio(wrong->weight, right->weight) / predicted, 1, 1e-10) << c.name;
+            checked += !c.symmetric;
+        }
+    }
+    EXPECT_GT(checked, 50);
 }
 
 TEST(Refraction, ScalingParticlesLikeRadianceIsWrongBySquaredIndex) {

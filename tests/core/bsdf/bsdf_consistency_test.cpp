@@ -15,7 +15,8 @@ constexpr int kPairs = 300;
 double relative_difference(const Rgb& a, const Rgb& b) {
     const double scale = std::max(max_component(a), max_component(b));
     const Rgb d = a - b;
-    return scale > 0 ? std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)}) / scale : 0;
+    constexpr double kFewDigits = 1e-290;  // far from a narrow lobe values are denormal, or soon will be
+    return scale > kFewDigits ? std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)}) / scale : 0;
 }
 
 double relative_difference(double a, double b) { return relative_difference(Rgb(a), Rgb(b)); }
@@ -46,6 +47,7 @@ TEST_P(BsdfConsistency, WeightIsEvalOverPdfAndDensitiesAreThoseOfPdf) {
 /// fs(wi -> wo) / eta_o^2 = fs(wo -> wi) / eta_i^2 (theory.md §5), with the density's pairs where the lobes are.
 TEST_P(BsdfConsistency, IsReciprocalUpToSquaredIndex) {
     const BsdfCase& c = GetParam();
+    if (!c.symmetric) return;  // ImportanceIsTheAdjointOfRadiance is its test
     const Bsdf bsdf = flat(c.model);
     Rng rng(3, 0, 0);
     int crossing = 0;

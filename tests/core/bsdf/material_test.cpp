@@ -135,6 +135,22 @@ TEST_F(MaterialTest, RoughnessIsPerceptual) {
     EXPECT_FALSE(bsdf(m).connectible());
 }
 
+TEST_F(MaterialTest, Phong) {
+    PhongMaterial m;
+    m.exponent.value = 7;
+    const Vec3 wo = direction(0.4, 1);
+    const Vec3 wi = direction(0.6, 4);
+    for (PhongForm form : {PhongForm::Modified, PhongForm::Classic}) {
+        m.form = form;
+        EXPECT_EQ(bsdf(m).eval_cos(wo, wi, TransportMode::Radiance, kCorrect),
+                  flat(Phong(Rgb(0.5), 7, form)).eval_cos(wo, wi, TransportMode::Radiance, kCorrect));
+    }
+    m.exponent.value = 1e300;
+    EXPECT_TRUE(pick(bsdf(m), wo, 0.5));
+    m.exponent.value = kNan;
+    EXPECT_EQ(bsdf(m).pdf(wo, wi), flat(Phong(Rgb(0.5), 0, m.form)).pdf(wo, wi));
+}
+
 TEST_F(MaterialTest, DiffuseRoughness) {
     DiffuseMaterial m;
     m.roughness.value = 0.4;
