@@ -1,9 +1,14 @@
 #pragma once
 
+#include <limits>
+
 #include "math/rgb.h"
 #include "math/vec.h"
 
 namespace etendue {
+
+/// A direction whose density is smaller is not sampled: the reciprocal would be infinite.
+inline constexpr double kLeastPdf = std::numeric_limits<double>::min();
 
 /// A sampled direction. Of a local model, in the shading frame; of a Bsdf, in world space.
 struct BsdfSample {

@@ -97,7 +97,7 @@ std::optional<BsdfSample> Dielectric::sample(const Vec3& wo, double u_lobe, cons
     if (wo.z < 0) wi = flip(wi);
 
     const Scattering s = scattering(wo, wi);
-    if (!(s.pdf_fwd > 0)) return std::nullopt;
+    if (!(s.pdf_fwd >= kLeastPdf)) return std::nullopt;
     BsdfSample sample;
     sample.wi = wi;
     const double index_factor = squared_index_factor(mode, eta_o, eta(wi), policy);

@@ -118,8 +118,10 @@ Rgb Layered::base(const Vec3& wo, const Vec3& wi) const {
     if (roughness == 0) return lambert;
     const double part = RoughDiffuse::lambert_part(roughness);
     const Rgb rest = RoughDiffuse::f(p_.diffuse, roughness, wo, wi) - p_.diffuse * (part * kInvPi);
-    const Rgb t_least{std::min(t_o.r, t_i.r), std::min(t_o.g, t_i.g), std::min(t_o.b, t_i.b)};
-    return lambert * part + rest * t_least;
+    // Not negative, but for rounding.
+    const auto through = [](double f, double a, double b) { return std::max(0.0, f) * std::min(a, b); };
+    return lambert * part +
+           Rgb(through(rest.r, t_o.r, t_i.r), through(rest.g, t_o.g, t_i.g), through(rest.b, t_o.b, t_i.b));
 }
 
 /// Proportional to each lobe's albedo, so that samples carry nearly equal weights; the hole's is exact.
@@ -219,7 +221,7 @@ std::optional<BsdfSample> Layered::sample(const Vec3& wo, double u_lobe, const V
 Layered::Sample Layered::finish(const LobeProbabilities& p, const Vec3& wo, const Vec3& wi, TransportMode mode,
                                 const AdjointPolicy& policy) const {
     const double pdf_fwd = pdf(p, wo, wi);
-    if (!(pdf_fwd > 0)) return std::nullopt;
+    if (!(pdf_fwd >= kLeastPdf)) return std::nullopt;
     BsdfSample sample;
     sample.wi = wi;
     sample.weight = eval(wo, wi, mode, policy) * (std::abs(wi.z) / pdf_fwd);
