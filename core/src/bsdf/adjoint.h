@@ -14,6 +14,11 @@ namespace etendue {
 /// Factor on the weight of a path that crosses a refracting interface. Radiance is scaled by the squared index of the
 /// known (camera) side over the sampled one; particles are not scaled. With the correction off, particles are scaled
 /// like radiance along the light's flow, (eta_t / eta_i)^2, which is wrong.
+///
+/// That is radiance per unit frequency, which refraction does not change, or per unit VACUUM wavelength, and what the
+/// renderer's colours are made of. Per unit wavelength in the medium, lambda / eta, a band narrows by eta as well and
+/// the factor is (eta_t / eta_i)^3; under dispersion each side has 1 - d ln eta / d ln lambda in its denominator
+/// besides. No colour measured in vacuum needs that: leaving the body divides by it again.
 inline double squared_index_factor(TransportMode mode, double eta_known, double eta_sampled,
                                    const AdjointPolicy& policy) {
     if (mode == TransportMode::Radiance) {
