@@ -19,7 +19,7 @@ SPEED_TABLE = ROOT / "tests" / "bench" / "README.md"
 
 
 def main() -> int:
-    """Returns 1 when a renderer disagrees."""
+    """Returns 1 unless all renderers agree."""
     arguments = _arguments()
     if arguments.speed:
         run_speed(arguments.only, arguments.effort)
@@ -41,7 +41,7 @@ def run_correctness(only: str, effort: float, pictures: Path | None) -> int:
             row = correctness.row(case, peer, comparison)
             print(" | ".join(row), flush=True)
             results.put(correctness.key(case, peer), row)
-            disagreements += not comparison.agrees
+            disagreements += comparison.verdict != "agrees"
         print(f"  {time.perf_counter() - started:.0f} s", flush=True)
         report.replace(PARITY_TABLE, "parity", correctness.results_table(results))
     return 1 if disagreements else 0

@@ -94,8 +94,8 @@ CASES = (
         "pool from under water",
         own("caustic_pool", "underwater"),
         20,
-        320,
-        (Peer(MITSUBA_PTRACER, 1024),),
+        448,
+        (Peer(MITSUBA_PTRACER, 1536),),
     ),
     Case(
         "flat pool from under water, large lamp",

@@ -48,7 +48,7 @@ def row(case: Case, peer: Peer, comparison: Comparison) -> Row:
         f"{c.block_rms:.2%} ({c.expected_rms:.2%})",
         f"{c.worst_z:.1f}",
         f"{c.p:.2g}",
-        "agrees" if c.agrees else "**differs**",
+        "agrees" if c.verdict == "agrees" else f"**{c.verdict}**",
     )
 
 

@@ -71,7 +71,7 @@ def _material(desc: _core.MaterialDesc) -> Material:
     textured = [model.base_color.texture, model.specular_roughness.texture]
     if any(texture >= 0 for texture in textured) or model.base_metalness.value:
         raise UnsupportedError(f"{desc.name}: textures and metal")
-    if model.transmission_weight.value == 1:
+    if model.transmission_weight.value == 1 and model.transmission_depth == 0:
         # OpenPBR: alpha is the square of the perceptual roughness.
         return Dielectric(model.specular_ior, model.specular_roughness.value**2)
     if model.transmission_weight.value == 0 and model.specular_weight.value == 0:
@@ -211,6 +211,8 @@ def _radiance(desc: _core.LightDesc, size: float) -> Rgb:
 
 
 def _camera(desc: _core.CameraDesc, aspect: float) -> Camera:
+    if desc.projection != _core.CameraProjection.Perspective:
+        raise UnsupportedError(f"{desc.name}: {desc.projection.name} projection")
     if desc.f_stop > 0 or desc.exposure_scale != 1:
         raise UnsupportedError(f"{desc.name}: lens or exposure")
     width, height = desc.horizontal_aperture, desc.vertical_aperture

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal, TypeAlias
 
 import numpy as np
 from scipy import stats
@@ -20,6 +21,9 @@ MEAN_RESOLUTION = 0.0015
 LEAST_SCATTER = 0.001
 
 
+Verdict: TypeAlias = Literal["agrees", "differs", "unresolved"]
+
+
 @dataclass(frozen=True)
 class Comparison:
     """Of renders of one picture by two renderers, every render with a seed of its own."""
@@ -32,13 +36,13 @@ class Comparison:
     p: float  #: smallest p-value of Welch's t-test over blocks and channels, Bonferroni-corrected
 
     @property
-    def agrees(self) -> bool:
-        """Within tolerance and noise, both small enough to mean something."""
-        return (
-            abs(self.ratio - 1) <= MEAN_TOLERANCE
-            and self.ratio_error <= MEAN_RESOLUTION
-            and self.p > FALSE_ALARM
-        )
+    def verdict(self) -> Verdict:
+        """Unresolved: the noise of the means is too large for their agreement to say much."""
+        if self.p <= FALSE_ALARM:
+            return "differs"
+        if self.ratio_error > MEAN_RESOLUTION:
+            return "unresolved"
+        return "agrees" if abs(self.ratio - 1) <= MEAN_TOLERANCE else "differs"
 
 
 def compare(ours: Floats, other: Floats) -> Comparison:
