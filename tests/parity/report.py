@@ -32,19 +32,22 @@ class Results:
 
     def __init__(self, file: Path) -> None:
         self._file = file
-        self._rows: dict[str, Any] = {}
-        if file.exists():
-            self._rows = json.loads(file.read_text(encoding="utf-8"))
 
     def put(self, name: str, value: Any) -> None:
-        """Writes at once."""
-        self._rows[name] = value
+        """Writes at once, beside what another run may have written meanwhile."""
+        rows = {**self._rows(), name: value}
         self._file.parent.mkdir(parents=True, exist_ok=True)
-        self._file.write_text(json.dumps(self._rows, indent=1), encoding="utf-8")
+        self._file.write_text(json.dumps(rows, indent=1), encoding="utf-8")
 
     def get(self, name: str) -> Any:
         """None when it has not been measured."""
-        return self._rows.get(name)
+        return self._rows().get(name)
+
+    def _rows(self) -> dict[str, Any]:
+        if not self._file.exists():
+            return {}
+        rows: dict[str, Any] = json.loads(self._file.read_text(encoding="utf-8"))
+        return rows
 
 
 def machine() -> str:
