@@ -21,7 +21,7 @@ public:
     Film(const RenderSettings& settings, const PixelWindow& window, std::vector<Strategy> strategies = {});
 
     void add(const FilmTile& tile);
-    /// Closes a pass: its image enters the variance of the mean.
+    /// Closes a pass. The image of each block of passes enters the variance of the mean.
     void end_pass();
 
     [[nodiscard]] RenderedImage image() const;
@@ -34,14 +34,15 @@ private:
         Vec3 normal;
         Rgb albedo;
     };
-    /// The present pass, and running mean and squared deviations over passes (Welford).
-    struct PassSums {
+    /// The present block of passes, and running mean and squared deviations over blocks (Welford).
+    struct BlockSums {
         Rgb camera;
         Rgb splat;
         Rgb mean;
         Rgb deviation;
     };
 
+    void end_block();
     void add_samples(const FilmTile& tile);
     void add_splat(const Splat& splat);
     [[nodiscard]] Rgb color(std::size_t pixel) const;
@@ -51,13 +52,14 @@ private:
     RenderSettings settings_;
     Filter filter_;
     PixelWindow window_;
+    std::uint64_t passes_per_block_;
     std::vector<Rgb> camera_;
     std::vector<Rgb> splat_;  ///< empty until a splat arrives
     std::vector<std::uint32_t> count_;
     std::vector<SurfaceSums> surface_;  ///< empty unless asked for
-    std::vector<PassSums> pass_;        ///< empty unless variance is asked for
+    std::vector<BlockSums> block_;      ///< empty unless variance is asked for
     StrategyPlanes strategies_;
-    std::uint64_t pass_light_paths_ = 0;
+    std::uint64_t block_light_paths_ = 0;
     RenderStatistics statistics_;
 };
 

@@ -21,10 +21,10 @@ template <typename Add>
 void spread_splat(const Filter& filter, const PixelWindow& window, const Vec2& raster, const Add& add) {
     // Pixel (x, y) has its centre at (x + 0.5, y + 0.5).
     const double r = filter.radius();
-    const int x0 = std::max(window.x0, static_cast<int>(std::floor(raster.x - r - 0.5)));
-    const int x1 = std::min(window.x1 - 1, static_cast<int>(std::ceil(raster.x + r - 0.5)));
-    const int y0 = std::max(window.y0, static_cast<int>(std::floor(raster.y - r - 0.5)));
-    const int y1 = std::min(window.y1 - 1, static_cast<int>(std::ceil(raster.y + r - 0.5)));
+    const int x0 = std::max(window.x0, static_cast<int>(std::ceil(raster.x - r - 0.5)));
+    const int x1 = std::min(window.x1 - 1, static_cast<int>(std::floor(raster.x + r - 0.5)));
+    const int y0 = std::max(window.y0, static_cast<int>(std::ceil(raster.y - r - 0.5)));
+    const int y1 = std::min(window.y1 - 1, static_cast<int>(std::floor(raster.y + r - 0.5)));
     for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; ++x) {
             const double weight = filter.eval({raster.x - x - 0.5, raster.y - y - 0.5});

@@ -2,16 +2,43 @@
 
 #include <cstdint>
 
-#include "math/rng.h"
+#include "film/pass_blocks.h"
+#include "math/sampler.h"
 
 namespace etendue {
 
-/// One stream of random numbers for each camera sample and each light path, whoever traces it.
-inline Rng camera_stream(std::uint64_t seed, std::uint64_t pass, std::uint64_t pixel) {
-    return {seed, 2 * pass, pixel};
-}
-inline Rng light_stream(std::uint64_t seed, std::uint64_t pass, std::uint64_t path) {
-    return {seed, 2 * pass + 1, path};
-}
+/// The numbers of each camera sample and each light path, whoever traces it. In a block of passes a pixel's samples are
+/// one sequence, and so are all light paths of the block.
+class RandomStreams {
+public:
+    RandomStreams(const RenderSettings& settings, std::uint64_t light_paths_per_pass)
+        : seed_(settings.seed),
+          passes_per_block_(passes_per_block(settings)),
+          light_paths_per_pass_(light_paths_per_pass) {}
+
+    [[nodiscard]] Sampler camera(std::uint64_t pass, std::uint64_t pixel) const {
+        return at_pixel(kCamera, pass, pixel);
+    }
+    /// For what is joined to a camera path once it stands: it shares no draws with the path itself.
+    [[nodiscard]] Sampler joins(std::uint64_t pass, std::uint64_t pixel) const { return at_pixel(kJoins, pass, pixel); }
+    [[nodiscard]] Sampler light(std::uint64_t pass, std::uint64_t path) const {
+        const std::uint64_t index = pass % passes_per_block_ * light_paths_per_pass_ + path;
+        return Sampler({seed_, stream(kLight, pass), index >> 32, index & 0xffffffff});
+    }
+
+private:
+    enum Use : std::uint64_t { kCamera, kJoins, kLight, kUses };
+
+    [[nodiscard]] std::uint64_t stream(Use use, std::uint64_t pass) const {
+        return pass / passes_per_block_ * kUses + use;
+    }
+    [[nodiscard]] Sampler at_pixel(Use use, std::uint64_t pass, std::uint64_t pixel) const {
+        return Sampler({seed_, stream(use, pass), pixel, pass % passes_per_block_});
+    }
+
+    std::uint64_t seed_;
+    std::uint64_t passes_per_block_;
+    std::uint64_t light_paths_per_pass_;
+};
 
 }  // namespace etendue

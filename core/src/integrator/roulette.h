@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "math/rgb.h"
-#include "math/rng.h"
+#include "math/sampler.h"
 
 namespace etendue {
 
@@ -15,11 +15,11 @@ public:
     Roulette(int first_depth, const Rgb& start) : first_depth_(first_depth), start_(max_component(start)) {}
 
     /// False when the path ends. `depth` counts bounces so far.
-    bool survive(int depth, double radiance_scale, Rgb& throughput, Rng& rng) const {
+    bool survive(int depth, double radiance_scale, Rgb& throughput, Sampler& sampler) const {
         if (first_depth_ < 0 || depth < first_depth_) return true;
         const double carried = max_component(throughput) / (radiance_scale * start_);
         const double probability = std::min(carried, kMaxSurvival);
-        if (!(rng.next_1d() < probability)) return false;
+        if (!(sampler.next_1d() < probability)) return false;
         throughput *= 1 / probability;
         return true;
     }

@@ -67,7 +67,7 @@ public:
     [[nodiscard]] const LightSampler& light_sampler() const { return *light_sampler_; }
     /// How light subpaths start.
     [[nodiscard]] const EmissionAim& emission() const { return emission_; }
-    [[nodiscard]] bool has_lights() const { return !lights_.empty(); }
+    [[nodiscard]] std::size_t light_count() const { return lights_.size(); }
 
 private:
     struct Instance {

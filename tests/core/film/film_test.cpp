@@ -182,7 +182,9 @@ TEST(Film, VarianceIsThatOfTheMean) {
     const boost::math::normal gauss;
     const int passes = 16;
     const PixelWindow window{0, 0, 16, 16};
-    Film film(settings(16, 16, {Aov::Variance, Aov::Color}), window);
+    RenderSettings single = settings(16, 16, {Aov::Variance, Aov::Color});
+    single.samples_per_pixel = 8;  // each pass is a block
+    Film film(single, window);
     Rng rng(1, 0, 0);
     const auto draw = [&] { return boost::math::quantile(gauss, rng.next_1d() + 0x1p-54); };
     const double camera_sigma = 2;
@@ -214,7 +216,9 @@ TEST(Film, VarianceIsThatOfTheMean) {
 
 TEST(Film, VarianceKnowsCompletePassesOnly) {
     const PixelWindow window{0, 0, 1, 1};
-    Film film(settings(1, 1, {Aov::Variance}), window);
+    RenderSettings few = settings(1, 1, {Aov::Variance});
+    few.samples_per_pixel = 8;  // each pass is a block
+    Film film(few, window);
     film.add(tile_of(window, Rgb(1)));
     film.end_pass();
     EXPECT_EQ(at(film.image(), Aov::Variance, 0, 0), std::numeric_limits<float>::infinity());
@@ -223,6 +227,21 @@ TEST(Film, VarianceKnowsCompletePassesOnly) {
     EXPECT_FLOAT_EQ(at(film.image(), Aov::Variance, 0, 0), 1);  // ((1 - 2)^2 + (3 - 2)^2) / (2 * 1)
     film.add(tile_of(window, Rgb(100)));                        // not complete
     EXPECT_FLOAT_EQ(at(film.image(), Aov::Variance, 0, 0), 1);
+}
+
+TEST(Film, VarianceIsThatOfBlocksOfPasses) {
+    const PixelWindow window{0, 0, 1, 1};
+    RenderSettings many = settings(1, 1, {Aov::Variance});
+    many.samples_per_pixel = 16;  // blocks of two
+    Film film(many, window);
+    for (double value : {0.0, 2.0, 2.0, 4.0}) {
+        film.add(tile_of(window, Rgb(value)));
+        film.end_pass();
+    }
+    EXPECT_FLOAT_EQ(at(film.image(), Aov::Variance, 0, 0), 1);  // of 1 and 3
+    film.add(tile_of(window, Rgb(100)));
+    film.end_pass();  // of five passes four tell of the variance of the mean
+    EXPECT_FLOAT_EQ(at(film.image(), Aov::Variance, 0, 0), 0.8F);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "integrator/bdpt/connection.h"
 #include "integrator/bdpt/subpath.h"
-#include "integrator/random_streams.h"
+#include "integrator/needed_draws.h"
 #include "support/path_oracle.h"
 #include "support/scene_builder.h"
 #include "support/tiny_scenes.h"
@@ -36,10 +36,10 @@ public:
 
     void run(int paths) {
         for (int i = 0; i < paths; ++i) {
-            rng_.emplace(7, 0, static_cast<std::uint64_t>(i));
-            const Vec2 u = rng_->next_2d();
-            tracer_.trace_camera({16 * u.x, 16 * u.y}, *rng_, eye_, rays_);
-            tracer_.trace_light(*rng_, light_, rays_);
+            sampler_.emplace(SampleIndex{7, 0, static_cast<std::uint64_t>(i), 0});
+            const Vec2 u = sampler_->next_2d();
+            tracer_.trace_camera({16 * u.x, 16 * u.y}, *sampler_, eye_, rays_);
+            tracer_.trace_light(*sampler_, light_, rays_);
             check_emission();
             check_escape();
             check_crossings();
@@ -143,10 +143,10 @@ private:
         }
     }
     void check_direct(std::size_t e) {
-        Rng copy = *rng_;  // draws what the connector draws
+        Sampler copy = *sampler_;  // draws what the connector draws
         const Vertex& z = eye_.vertices[e];
-        const auto c = connector_.direct(z, *rng_, rays_);
-        const auto choice = scene_.light_sampler().sample_direct(z.si.p, copy.next_1d());
+        const auto c = connector_.direct(z, *sampler_, rays_);
+        const auto choice = scene_.light_sampler().sample_direct(z.si.p, draw_light(context_, copy));
         const Vec2 u = copy.next_2d();
         if (!c) return;
         const auto sample = scene_.light(choice->light).sample_direct(z.si.p, u);
@@ -166,19 +166,19 @@ private:
     void check_light_image(std::size_t j) {
         const Vertex& y = light_.vertices[j];
         if (!y.connectible()) return;
-        Rng copy = *rng_;
-        const auto c = connector_.to_lens(y, *rng_, rays_);
+        Sampler copy = *sampler_;
+        const auto c = connector_.to_lens(y, *sampler_, rays_);
         if (!c) return;
         WholePath path{light_.start->light, light_.start->y, {}, {}};
         add_light_side(j, path);
-        path.lens = camera_.sample_lens(y.si.p, copy.next_2d())->origin;
+        path.lens = camera_.sample_lens(y.si.p, draw_lens(context_, copy))->origin;
         expect(path, j + 2, c->weight);
     }
     void check_start_image() {
-        Rng copy = *rng_;
-        const auto c = connector_.start_to_lens(*light_.start, *rng_, rays_);
+        Sampler copy = *sampler_;
+        const auto c = connector_.start_to_lens(*light_.start, *sampler_, rays_);
         if (!c) return;
-        const Vec2 u = copy.next_2d();
+        const Vec2 u = draw_lens(context_, copy);
         const Vec3& p = light_.start->y.p;
         const bool infinite = scene_.light(light_.start->light).infinite();
         WholePath path{light_.start->light, light_.start->y, {}, {}};
@@ -204,7 +204,7 @@ private:
     ActiveStrategies active_;
     SubpathTracer tracer_;
     Connector connector_;
-    std::optional<Rng> rng_;
+    std::optional<Sampler> sampler_;
     CameraSubpath eye_;
     LightSubpath light_;
     std::uint64_t rays_ = 0;

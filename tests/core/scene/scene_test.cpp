@@ -45,7 +45,7 @@ TEST(Scene, GivesEachFaceItsMaterial) {
     EXPECT_EQ(look_down(scene, 2.3, 0.4)->material, third);
     EXPECT_EQ(look_down(scene, 3.3, 0.4)->material, second);
     EXPECT_DOUBLE_EQ(scene.albedo(*look_down(scene, 2.3, 0.4)).g, 0.3);
-    EXPECT_FALSE(scene.has_lights());
+    EXPECT_FALSE(scene.light_count() > 0);
     EXPECT_EQ(look_down(scene, 0.3, 0.4)->light, -1);
 }
 
@@ -207,7 +207,7 @@ TEST(Scene, InfiniteLightsCoverTheSceneAndTheLens) {
 TEST(Scene, MayBeEmpty) {
     const Scene scene(SceneDescription{}, {});
     EXPECT_FALSE(look_down(scene, 0, 0));
-    EXPECT_FALSE(scene.has_lights());
+    EXPECT_FALSE(scene.light_count() > 0);
     EXPECT_TRUE(scene.visible(RayEnd::free({0, 0, 0}), RayEnd::free({1, 2, 3})));
     EXPECT_TRUE(scene.sees_infinity(RayEnd::free({0, 0, 0}), {0, 0, 1}));
 }

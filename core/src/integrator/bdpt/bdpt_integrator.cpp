@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "integrator/first_surface.h"
-#include "integrator/random_streams.h"
+#include "integrator/needed_draws.h"
 
 namespace etendue {
 namespace {
@@ -21,7 +21,7 @@ ActiveStrategies resolve(const RenderContext& context, const StrategySet& asked)
     ActiveStrategies active;
     active.emission_hit = asked.emission_hit;
     active.direct_light = asked.direct_light;
-    const std::uint64_t paths = context.scene.has_lights() ? count_light_paths(context) : 0;
+    const std::uint64_t paths = context.scene.light_count() > 0 ? count_light_paths(context) : 0;
     if (paths > 0) {
         active.connection = asked.connection;
         active.light_image = asked.light_image;
@@ -37,6 +37,7 @@ ActiveStrategies resolve(const RenderContext& context, const StrategySet& asked)
 BdptIntegrator::BdptIntegrator(const RenderContext& context, const StrategySet& strategies)
     : context_(context),
       active_(resolve(context, strategies)),
+      streams_(context.settings, static_cast<std::uint64_t>(active_.light_paths)),
       tracer_(context_, active_),
       connector_(context_, active_) {
     const int longest = std::min(context_.settings.strategy_images, context_.settings.max_depth + 1);
@@ -61,8 +62,8 @@ void BdptIntegrator::render(const WorkUnit& unit, FilmTile& tile) const {
     const std::uint64_t paths = unit.light_end - unit.light_begin;
     if (paths == 0 && active_.connection) {
         // Fewer light paths than units: this one's camera paths are joined to the path that another unit splats.
-        Rng rng = light_stream(context_.settings.seed, unit.pass, unit.light_begin);
-        tracer_.trace_light(rng, light, tile.rays);
+        Sampler sampler = streams_.light(unit.pass, unit.light_begin);
+        tracer_.trace_light(sampler, light, tile.rays);
     }
     std::uint64_t pixel = 0;
     std::uint64_t traced = 0;
@@ -81,20 +82,20 @@ void BdptIntegrator::render(const WorkUnit& unit, FilmTile& tile) const {
 void BdptIntegrator::trace_light_paths(const WorkUnit& unit, std::uint64_t begin, std::uint64_t end, LightSubpath& path,
                                        FilmTile& tile) const {
     for (std::uint64_t i = begin; i < end; ++i) {
-        Rng rng = light_stream(context_.settings.seed, unit.pass, i);
-        tracer_.trace_light(rng, path, tile.rays);
-        splat_light_path(path, rng, tile);
+        Sampler sampler = streams_.light(unit.pass, i);
+        tracer_.trace_light(sampler, path, tile.rays);
+        splat_light_path(path, sampler, tile);
         ++tile.light_paths;
     }
 }
 
-void BdptIntegrator::splat_light_path(const LightSubpath& path, Rng& rng, FilmTile& tile) const {
+void BdptIntegrator::splat_light_path(const LightSubpath& path, Sampler& sampler, FilmTile& tile) const {
     for (const LensCrossing& crossing : path.crossings) splat(connector_.lens_hit(crossing), crossing.s, 0, tile);
     if (!active_.light_image || !path.start) return;
-    splat(connector_.start_to_lens(*path.start, rng, tile.rays), 1, 1, tile);
+    splat(connector_.start_to_lens(*path.start, sampler, tile.rays), 1, 1, tile);
     for (std::size_t i = 0; i < path.vertices.size(); ++i) {
         const Vertex& y = path.vertices[i];
-        if (y.connectible()) splat(connector_.to_lens(y, rng, tile.rays), static_cast<int>(i) + 2, 1, tile);
+        if (y.connectible()) splat(connector_.to_lens(y, sampler, tile.rays), static_cast<int>(i) + 2, 1, tile);
     }
 }
 
@@ -102,30 +103,32 @@ void BdptIntegrator::sample_camera(int x, int y, std::uint64_t pass, const Light
                                    FilmTile& tile) const {
     PixelSample sample;
     if (active_.needs_camera_paths() || context_.wants_surface) {
-        Rng rng = camera_stream(context_.settings.seed, pass, pixel_number(context_, x, y));
-        const Vec2 offset = context_.filter.sample(rng.next_2d());
+        Sampler sampler = streams_.camera(pass, pixel_number(context_, x, y));
+        const Vec2 offset = context_.filter.sample(sampler.next_2d());
         const Vec2 raster{x + 0.5 + offset.x, y + 0.5 + offset.y};
         ++tile.camera_paths;
         if (!active_.needs_camera_paths()) {
-            record_surface(context_, first_surface(raster, rng, tile), sample);
+            record_surface(context_, first_surface(raster, sampler, tile), sample);
             tile.samples.push_back(sample);
             return;
         }
-        tracer_.trace_camera(raster, rng, camera, tile.rays);
+        tracer_.trace_camera(raster, sampler, camera, tile.rays);
         const auto first = camera.vertices.empty() ? std::nullopt : std::optional(camera.vertices.front().si);
         record_surface(context_, first, sample);
-        add_camera_strategies(camera, light, rng, sample, tile);
+        Sampler joins = streams_.joins(pass, pixel_number(context_, x, y));
+        add_camera_strategies(camera, light, joins, sample, tile);
     }
     tile.samples.push_back(sample);
 }
 
-std::optional<SurfaceInteraction> BdptIntegrator::first_surface(const Vec2& raster, Rng& rng, FilmTile& tile) const {
-    const CameraRay ray = context_.camera.generate_ray(raster, rng.next_2d());
+std::optional<SurfaceInteraction> BdptIntegrator::first_surface(const Vec2& raster, Sampler& sampler,
+                                                                FilmTile& tile) const {
+    const CameraRay ray = context_.camera.generate_ray(raster, draw_lens(context_, sampler));
     ++tile.rays;
     return context_.scene.intersect({offset_origin(ray.origin, {}, {}, ray.direction), ray.direction});
 }
 
-void BdptIntegrator::add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Rng& rng,
+void BdptIntegrator::add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Sampler& sampler,
                                            PixelSample& sample, FilmTile& tile) const {
     const int longest = context_.settings.max_depth + 2;  // s + t
     for (std::size_t i = 0; i < camera.vertices.size(); ++i) {
@@ -133,7 +136,7 @@ void BdptIntegrator::add_camera_strategies(const CameraSubpath& camera, const Li
         const int t = static_cast<int>(i) + 2;
         if (active_.emission_hit) add(connector_.emission(camera, i), 0, t, sample, tile);
         if (!z.connectible() || t + 1 > longest) continue;
-        if (active_.direct_light) add(connector_.direct(z, rng, tile.rays), 1, t, sample, tile);
+        if (active_.direct_light) add(connector_.direct(z, sampler, tile.rays), 1, t, sample, tile);
         if (!active_.connection) continue;
         const std::size_t count = std::min(light.vertices.size(), static_cast<std::size_t>(longest - t - 1));
         for (std::size_t j = 0; j < count; ++j) {

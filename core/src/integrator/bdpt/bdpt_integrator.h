@@ -8,6 +8,7 @@
 #include "integrator/bdpt/strategy_images.h"
 #include "integrator/bdpt/subpath.h"
 #include "integrator/integrator.h"
+#include "integrator/random_streams.h"
 
 namespace etendue {
 
@@ -27,12 +28,13 @@ public:
 private:
     void trace_light_paths(const WorkUnit& unit, std::uint64_t begin, std::uint64_t end, LightSubpath& path,
                            FilmTile& tile) const;
-    void splat_light_path(const LightSubpath& path, Rng& rng, FilmTile& tile) const;
+    void splat_light_path(const LightSubpath& path, Sampler& sampler, FilmTile& tile) const;
     void sample_camera(int x, int y, std::uint64_t pass, const LightSubpath& light, CameraSubpath& camera,
                        FilmTile& tile) const;
-    [[nodiscard]] std::optional<SurfaceInteraction> first_surface(const Vec2& raster, Rng& rng, FilmTile& tile) const;
-    void add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Rng& rng, PixelSample& sample,
-                               FilmTile& tile) const;
+    [[nodiscard]] std::optional<SurfaceInteraction> first_surface(const Vec2& raster, Sampler& sampler,
+                                                                  FilmTile& tile) const;
+    void add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Sampler& sampler,
+                               PixelSample& sample, FilmTile& tile) const;
     /// The contribution as the settings ask for it: weighted, or one strategy alone, unweighted.
     [[nodiscard]] Rgb weigh(const Contribution& c, int s, int t) const;
     void add(const std::optional<Contribution>& c, int s, int t, PixelSample& sample, FilmTile& tile) const;
@@ -40,6 +42,7 @@ private:
 
     RenderContext context_;
     ActiveStrategies active_;
+    RandomStreams streams_;
     SubpathTracer tracer_;
     Connector connector_;
     std::optional<StrategyImages> images_;  ///< empty unless asked for

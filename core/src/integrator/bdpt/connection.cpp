@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "integrator/needed_draws.h"
 #include "math/measure.h"
 
 namespace etendue {
@@ -45,9 +46,9 @@ std::optional<Contribution> Connector::infinite_emission(const Escape& escape, i
 
 // ------------------------------------------------------------------------------------------------------- s = 1
 
-std::optional<Contribution> Connector::direct(const Vertex& z, Rng& rng, std::uint64_t& rays) const {
-    const auto choice = context_.scene.light_sampler().sample_direct(z.si.p, rng.next_1d());
-    const Vec2 u = rng.next_2d();
+std::optional<Contribution> Connector::direct(const Vertex& z, Sampler& sampler, std::uint64_t& rays) const {
+    const auto choice = context_.scene.light_sampler().sample_direct(z.si.p, draw_light(context_, sampler));
+    const Vec2 u = sampler.next_2d();
     if (!choice) return {};
     const Light& light = context_.scene.light(choice->light);
     const auto sample = light.sample_direct(z.si.p, u);
@@ -121,8 +122,8 @@ double Connector::area_from_lens(const LensSample& lens, const Vec3& p, const Ve
     return context_.camera.orthographic() ? abs_dot(lens.direction, n_g) : area_per_solid_angle(lens.origin, p, n_g);
 }
 
-std::optional<Contribution> Connector::to_lens(const Vertex& y, Rng& rng, std::uint64_t& rays) const {
-    const auto lens = context_.camera.sample_lens(y.si.p, rng.next_2d());
+std::optional<Contribution> Connector::to_lens(const Vertex& y, Sampler& sampler, std::uint64_t& rays) const {
+    const auto lens = context_.camera.sample_lens(y.si.p, draw_lens(context_, sampler));
     if (!lens || !on_film(lens->raster)) return {};
     const Vec3 w = -lens->direction;
     const Rgb f = y.bsdf->eval_cos(y.wo, w, TransportMode::Importance, context_.settings.adjoint);
@@ -139,9 +140,10 @@ std::optional<Contribution> Connector::to_lens(const Vertex& y, Rng& rng, std::u
     return c;
 }
 
-std::optional<Contribution> Connector::start_to_lens(const LightStart& start, Rng& rng, std::uint64_t& rays) const {
+std::optional<Contribution> Connector::start_to_lens(const LightStart& start, Sampler& sampler,
+                                                     std::uint64_t& rays) const {
     const Light& light = context_.scene.light(start.light);
-    const Vec2 u_lens = rng.next_2d();
+    const Vec2 u_lens = draw_lens(context_, sampler);
     if (light.delta()) return {};  // a point of light itself is not in the picture
     const bool infinite = light.infinite();
     const auto lens = infinite ? context_.camera.sample_lens_towards(start.y.p, u_lens)

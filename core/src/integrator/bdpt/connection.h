@@ -8,7 +8,7 @@
 #include "integrator/bdpt/weights.h"
 #include "integrator/heuristic.h"
 #include "integrator/render_context.h"
-#include "math/rng.h"
+#include "math/sampler.h"
 
 namespace etendue {
 
@@ -34,13 +34,13 @@ public:
     /// s = 0: the camera path escaped to an infinite light.
     [[nodiscard]] std::optional<Contribution> infinite_emission(const Escape& escape, int light_index) const;
     /// s = 1: a light point chosen for z.
-    [[nodiscard]] std::optional<Contribution> direct(const Vertex& z, Rng& rng, std::uint64_t& rays) const;
+    [[nodiscard]] std::optional<Contribution> direct(const Vertex& z, Sampler& sampler, std::uint64_t& rays) const;
     /// s >= 2, t >= 2.
     [[nodiscard]] std::optional<Contribution> connect(const Vertex& y, const Vertex& z, std::uint64_t& rays) const;
     /// s >= 2, t = 1.
-    [[nodiscard]] std::optional<Contribution> to_lens(const Vertex& y, Rng& rng, std::uint64_t& rays) const;
+    [[nodiscard]] std::optional<Contribution> to_lens(const Vertex& y, Sampler& sampler, std::uint64_t& rays) const;
     /// s = 1, t = 1.
-    [[nodiscard]] std::optional<Contribution> start_to_lens(const LightStart& start, Rng& rng,
+    [[nodiscard]] std::optional<Contribution> start_to_lens(const LightStart& start, Sampler& sampler,
                                                             std::uint64_t& rays) const;
     /// t = 0.
     [[nodiscard]] Contribution lens_hit(const LensCrossing& crossing) const;

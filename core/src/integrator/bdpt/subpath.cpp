@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "integrator/needed_draws.h"
 #include "integrator/roulette.h"
 #include "math/constants.h"
 #include "math/measure.h"
@@ -38,9 +39,9 @@ SegmentMeasure measure_segment(const Vec3& from, const Vec3& n_from, const Vec3&
 
 }  // namespace
 
-bool SubpathTracer::scatter(Walk& walk, Vertex& vertex, TransportMode mode, Rng& rng) const {
-    const double u_lobe = rng.next_1d();
-    const Vec2 u = rng.next_2d();
+bool SubpathTracer::scatter(Walk& walk, Vertex& vertex, TransportMode mode, Sampler& sampler) const {
+    const double u_lobe = sampler.next_1d();
+    const Vec2 u = sampler.next_2d();
     const auto sample = vertex.bsdf->sample(vertex.wo, u_lobe, u, mode, context_.settings.adjoint);
     if (!sample) return false;
     walk.beta = vertex.beta * sample->weight;
@@ -82,10 +83,10 @@ Rgb SubpathTracer::left_of(const Walk& walk, const Vec3& p) const {
 
 // --------------------------------------------------------------------------------------------- light subpaths
 
-std::optional<SubpathTracer::Walk> SubpathTracer::start_light(Rng& rng, LightSubpath& path) const {
-    const auto choice = context_.scene.light_sampler().sample_emission(rng.next_1d());
-    const Vec2 u_point = rng.next_2d();
-    const Vec2 u_dir = rng.next_2d();
+std::optional<SubpathTracer::Walk> SubpathTracer::start_light(Sampler& sampler, LightSubpath& path) const {
+    const auto choice = context_.scene.light_sampler().sample_emission(draw_light(context_, sampler));
+    const Vec2 u_point = sampler.next_2d();
+    const Vec2 u_dir = sampler.next_2d();
     if (!choice) return {};
     const Light& light = context_.scene.light(choice->light);
     const EmissionSample emission = context_.scene.emission().sample(light, u_point, u_dir);
@@ -134,9 +135,9 @@ void SubpathTracer::add_crossing(const Walk& walk, double t_max, LightSubpath& p
     path.crossings.push_back({*hit, beta, mis, static_cast<int>(path.vertices.size()) + 2});
 }
 
-void SubpathTracer::trace_light(Rng& rng, LightSubpath& path, std::uint64_t& rays) const {
+void SubpathTracer::trace_light(Sampler& sampler, LightSubpath& path, std::uint64_t& rays) const {
     path.clear();
-    std::optional<Walk> walk = start_light(rng, path);
+    std::optional<Walk> walk = start_light(sampler, path);
     if (!walk) return;
     const int max_depth = context_.settings.max_depth;
     // At most max_depth surfaces, which are then joined to the lens; one more ray may still find the lens by itself.
@@ -153,8 +154,8 @@ void SubpathTracer::trace_light(Rng& rng, LightSubpath& path, std::uint64_t& ray
             depth == 0 ? first_light_state(*walk, *path.start, si->p, m.to, m.from) : arrive(*walk, m.to, m.from);
         add_vertex(*walk, *si, mis, path.vertices);
         Vertex& vertex = path.vertices.back();
-        if (!vertex.bsdf || !scatter(*walk, vertex, TransportMode::Importance, rng)) return;
-        if (!walk->roulette.survive(depth + 1, 1, walk->beta, rng)) return;
+        if (!vertex.bsdf || !scatter(*walk, vertex, TransportMode::Importance, sampler)) return;
+        if (!walk->roulette.survive(depth + 1, 1, walk->beta, sampler)) return;
     }
 }
 
@@ -171,9 +172,9 @@ MisState SubpathTracer::first_camera_state(const CameraRay& ray, double area_to,
     return state;
 }
 
-void SubpathTracer::trace_camera(const Vec2& raster, Rng& rng, CameraSubpath& path, std::uint64_t& rays) const {
+void SubpathTracer::trace_camera(const Vec2& raster, Sampler& sampler, CameraSubpath& path, std::uint64_t& rays) const {
     path.clear();
-    const CameraRay first = context_.camera.generate_ray(raster, rng.next_2d());
+    const CameraRay first = context_.camera.generate_ray(raster, draw_lens(context_, sampler));
     path.origin = first.origin;
     Walk walk{.ray = {offset_origin(first.origin, {}, {}, first.direction), first.direction},
               .from = first.origin,
@@ -203,8 +204,8 @@ void SubpathTracer::trace_camera(const Vec2& raster, Rng& rng, CameraSubpath& pa
         add_vertex(walk, *si, mis, path.vertices);
         Vertex& vertex = path.vertices.back();
         if (depth >= context_.settings.max_depth || !vertex.bsdf) return;
-        if (!scatter(walk, vertex, TransportMode::Radiance, rng)) return;
-        if (!walk.roulette.survive(depth + 1, walk.radiance_scale, walk.beta, rng)) return;
+        if (!scatter(walk, vertex, TransportMode::Radiance, sampler)) return;
+        if (!walk.roulette.survive(depth + 1, walk.radiance_scale, walk.beta, sampler)) return;
     }
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "integrator/first_surface.h"
-#include "integrator/random_streams.h"
+#include "integrator/needed_draws.h"
 #include "integrator/roulette.h"
 #include "math/constants.h"
 #include "math/measure.h"
@@ -22,7 +22,7 @@ struct PathIntegrator::Walk {
 };
 
 PathIntegrator::PathIntegrator(const RenderContext& context)
-    : context_(context), heuristic_(context.settings.heuristic) {}
+    : context_(context), heuristic_(context.settings.heuristic), streams_(context.settings, 0) {}
 
 void PathIntegrator::render(const WorkUnit& unit, FilmTile& tile) const {
     if (context_.scene.absorbs()) {
@@ -36,19 +36,19 @@ template <bool Absorbs>
 void PathIntegrator::sample_pixels(const WorkUnit& unit, FilmTile& tile) const {
     for (int y = unit.tile.y0; y < unit.tile.y1; ++y) {
         for (int x = unit.tile.x0; x < unit.tile.x1; ++x) {
-            Rng rng = camera_stream(context_.settings.seed, unit.pass, pixel_number(context_, x, y));
-            const Vec2 offset = context_.filter.sample(rng.next_2d());
-            tile.samples.push_back(sample_pixel<Absorbs>({x + 0.5 + offset.x, y + 0.5 + offset.y}, rng, tile));
+            Sampler sampler = streams_.camera(unit.pass, pixel_number(context_, x, y));
+            const Vec2 offset = context_.filter.sample(sampler.next_2d());
+            tile.samples.push_back(sample_pixel<Absorbs>({x + 0.5 + offset.x, y + 0.5 + offset.y}, sampler, tile));
             ++tile.camera_paths;
         }
     }
 }
 
 template <bool Absorbs>
-PixelSample PathIntegrator::sample_pixel(const Vec2& raster, Rng& rng, FilmTile& tile) const {
+PixelSample PathIntegrator::sample_pixel(const Vec2& raster, Sampler& sampler, FilmTile& tile) const {
     PixelSample sample;
     const RenderSettings& settings = context_.settings;
-    const CameraRay first = context_.camera.generate_ray(raster, rng.next_2d());
+    const CameraRay first = context_.camera.generate_ray(raster, draw_lens(context_, sampler));
     Walk walk{{offset_origin(first.origin, {}, {}, first.direction), first.direction}, first.origin, Rgb(first.weight)};
     const Absorption& absorption = context_.scene.absorption();
     if constexpr (Absorbs) walk.media = context_.camera_media;
@@ -68,16 +68,16 @@ PixelSample PathIntegrator::sample_pixel(const Vec2& raster, Rng& rng, FilmTile&
         if (walk.depth >= settings.max_depth || !Scene::scatters(*si)) break;
         const Bsdf bsdf = context_.scene.bsdf(*si);
         if (settings.strategies.direct_light && bsdf.connectible()) {
-            add_direct<Absorbs>(*si, bsdf, walk, rng, sample, tile);
+            add_direct<Absorbs>(*si, bsdf, walk, sampler, sample, tile);
         }
 
-        const double u_lobe = rng.next_1d();
+        const double u_lobe = sampler.next_1d();
         const auto scattered =
-            bsdf.sample(-walk.ray.direction, u_lobe, rng.next_2d(), TransportMode::Radiance, settings.adjoint);
+            bsdf.sample(-walk.ray.direction, u_lobe, sampler.next_2d(), TransportMode::Radiance, settings.adjoint);
         if (!scattered) break;
         walk.beta *= scattered->weight;
         radiance_scale *= scattered->radiance_scale;
-        if (!roulette.survive(walk.depth + 1, radiance_scale, walk.beta, rng)) break;
+        if (!roulette.survive(walk.depth + 1, radiance_scale, walk.beta, sampler)) break;
         if constexpr (Absorbs) walk.media = absorption.beyond(walk.media, *si, -walk.ray.direction, scattered->wi);
         walk.from = si->p;
         walk.pdf = scattered->pdf_fwd;
@@ -121,10 +121,10 @@ void PathIntegrator::add_infinite(const Walk& walk, PixelSample& sample, FilmTil
 }
 
 template <bool Absorbs>
-void PathIntegrator::add_direct(const SurfaceInteraction& si, const Bsdf& bsdf, const Walk& walk, Rng& rng,
+void PathIntegrator::add_direct(const SurfaceInteraction& si, const Bsdf& bsdf, const Walk& walk, Sampler& sampler,
                                 PixelSample& sample, FilmTile& tile) const {
-    const auto choice = context_.scene.light_sampler().sample_direct(si.p, rng.next_1d());
-    const Vec2 u = rng.next_2d();
+    const auto choice = context_.scene.light_sampler().sample_direct(si.p, draw_light(context_, sampler));
+    const Vec2 u = sampler.next_2d();
     if (!choice) return;
     const Light& light = context_.scene.light(choice->light);
     const auto direct = light.sample_direct(si.p, u);

@@ -4,7 +4,7 @@
 
 #include "integrator/heuristic.h"
 #include "integrator/integrator.h"
-#include "math/rng.h"
+#include "integrator/random_streams.h"
 
 namespace etendue {
 
@@ -24,16 +24,17 @@ private:
     template <bool Absorbs>
     void sample_pixels(const WorkUnit& unit, FilmTile& tile) const;
     template <bool Absorbs>
-    [[nodiscard]] PixelSample sample_pixel(const Vec2& raster, Rng& rng, FilmTile& tile) const;
+    [[nodiscard]] PixelSample sample_pixel(const Vec2& raster, Sampler& sampler, FilmTile& tile) const;
     void add_emission(const SurfaceInteraction& si, const Walk& walk, PixelSample& sample, FilmTile& tile) const;
     void add_infinite(const Walk& walk, PixelSample& sample, FilmTile& tile) const;
     template <bool Absorbs>
-    void add_direct(const SurfaceInteraction& si, const Bsdf& bsdf, const Walk& walk, Rng& rng, PixelSample& sample,
-                    FilmTile& tile) const;
+    void add_direct(const SurfaceInteraction& si, const Bsdf& bsdf, const Walk& walk, Sampler& sampler,
+                    PixelSample& sample, FilmTile& tile) const;
     [[nodiscard]] double hit_weight(const Walk& walk, double pdf_hit, double pdf_direct) const;
 
     RenderContext context_;
     Heuristic heuristic_;
+    RandomStreams streams_;
 };
 
 }  // namespace etendue
