@@ -78,7 +78,8 @@ void Film::end_pass() {
 }
 
 void Film::end_block() {
-    const auto blocks = static_cast<double>(statistics_.passes / passes_per_block_);
+    const std::uint64_t ended = statistics_.passes / passes_per_block_;
+    const auto blocks = static_cast<double>(ended);
     const double per_light_path = block_light_paths_ > 0 ? 1 / static_cast<double>(block_light_paths_) : 0;
     const double per_pass = 1 / static_cast<double>(passes_per_block_);
     for (BlockSums& sums : block_) {

@@ -15,7 +15,7 @@ namespace {
 
 Sampler at(std::uint64_t sequence, std::uint64_t index) { return Sampler({3, 1, sequence, index}); }
 
-const PlaneDensity one = [](const Vec2&) { return 1.0; };
+const PlaneDensity kOne = [](const Vec2&) { return 1.0; };
 const Chi2Settings kSettings{.samples = 50000};
 
 /// Draw number `draw` of the first `count` paths of a sequence, or of `count` from `first` on.
@@ -69,7 +69,7 @@ TEST(Sampler, AnyOnePathIsUniform) {
         for (int draw : {0, 3, 9, 10, 15}) {
             std::uint64_t sequence = 0;
             const PlaneSampler sample = [&](Rng&) { return points(sequence++, index, 1, draw).front(); };
-            EXPECT_TRUE(passes(chi2_square(sample, one, kSettings))) << index << ' ' << draw;
+            EXPECT_TRUE(passes(chi2_square(sample, kOne, kSettings))) << index << ' ' << draw;
         }
     }
 }
@@ -85,7 +85,7 @@ TEST(Sampler, DrawsAreUnrelated) {
             const double x = sampler.next_2d().x;
             return Vec2{x, sampler.next_2d().x};
         };
-        EXPECT_TRUE(passes(chi2_square(sample, one, kSettings))) << draw;
+        EXPECT_TRUE(passes(chi2_square(sample, kOne, kSettings))) << draw;
     }
 }
 
@@ -96,7 +96,7 @@ TEST(Sampler, PathsOfOtherSequencesAreUnrelated) {
         const double y = at(++sequence, 5).next_1d();
         return Vec2{x, y};
     };
-    EXPECT_TRUE(passes(chi2_square(sample, one, kSettings)));
+    EXPECT_TRUE(passes(chi2_square(sample, kOne, kSettings)));
 }
 
 }  // namespace
