@@ -11,6 +11,9 @@ namespace etendue::test {
 
 inline constexpr AdjointPolicy kCorrect{};
 
+/// Values of f below have few digits or will when multiplied: far from a narrow lobe they are denormal.
+inline constexpr double kFewDigits = 1e-290;
+
 /// A model with what a test must know about it.
 struct BsdfCase {
     std::string name;

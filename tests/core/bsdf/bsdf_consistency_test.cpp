@@ -15,7 +15,6 @@ constexpr int kPairs = 300;
 double relative_difference(const Rgb& a, const Rgb& b) {
     const double scale = std::max(max_component(a), max_component(b));
     const Rgb d = a - b;
-    constexpr double kFewDigits = 1e-290;  // far from a narrow lobe values are denormal, or soon will be
     return scale > kFewDigits ? std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)}) / scale : 0;
 }
 
