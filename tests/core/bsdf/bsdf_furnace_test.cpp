@@ -265,6 +265,39 @@ TEST(BsdfFurnace, PhongAlongTheNormal) {
     }
 }
 
+/// A smooth pane by the geometric series of its two faces: R + (1 - R)^2 R (1 + R^2 + ...), and the rest straight on.
+TEST(BsdfFurnace, SmoothPaneSumsItsInternalReflections) {
+    for (double cos : {0.9, 0.3, -0.6}) {
+        const Vec3 wo = direction(cos, 1);
+        const double r = fresnel_dielectric(std::abs(cos), 1.5);
+        double series = r;
+        for (int k = 1; k < 100; k += 2) series += (1 - r) * (1 - r) * std::pow(r, k);
+        const Bsdf pane = flat(Dielectric(1.5, 0, Rgb(1), Rgb(0.5), true));
+        const double p = series / (series + (1 - series) / 2);
+        for (TransportMode mode : kModes) {
+            const auto reflected = pane.sample(wo, 0, {}, mode, kCorrect);
+            const auto straight = pane.sample(wo, 0.999, {}, mode, kCorrect);
+            ASSERT_TRUE(reflected && straight);
+            EXPECT_NEAR(reflected->weight.r * p, series, 1e-12);
+            EXPECT_EQ(straight->wi, -wo);
+            EXPECT_NEAR(straight->weight.r * (1 - p), 0.5 * (1 - series), 1e-12);
+            EXPECT_EQ(straight->radiance_scale, 1);
+        }
+    }
+}
+
+/// The blur of a rough pane is that of two faces whose small slopes bend light by (ior - 1)(m1 - m2): at equal chances
+/// narrower than the mirror image by |ior - 1| / sqrt(2).
+TEST(BsdfFurnace, RoughPaneBlursLessThanItReflects) {
+    const Bsdf pane = flat(Dielectric(1.5, 0.01, Rgb(1), Rgb(1), true));
+    const Vec3 wo{0, 0, 1};
+    const auto offset = [&](double u_lobe) {
+        const auto s = pane.sample(wo, u_lobe, {0.5, 0.25}, TransportMode::Radiance, kCorrect);
+        return std::hypot(s->wi.x, s->wi.y);
+    };
+    EXPECT_NEAR(offset(0.999) / offset(0), 0.5 / std::sqrt(2), 1e-3);
+}
+
 /// The bound holds for every parameter: random closures, white wherever that is worst.
 TEST(BsdfFurnace, RandomClosuresNeverGainEnergy) {
     Rng rng(19, 0, 0);
