@@ -97,6 +97,7 @@ void bind_materials(py::module_& module) {
     dielectric.def_readwrite("ior", &DielectricMaterial::ior)
         .def_readwrite("roughness", &DielectricMaterial::roughness)
         .def_readwrite("reflection_tint", &DielectricMaterial::reflection_tint)
+        .def_readwrite("thin_walled", &DielectricMaterial::thin_walled)
         .def_readwrite("transmission_tint", &DielectricMaterial::transmission_tint)
         .def_readwrite("transmission_depth", &DielectricMaterial::transmission_depth);
     def_keyword_constructor<DielectricMaterial>(dielectric);
@@ -134,7 +135,8 @@ void bind_materials(py::module_& module) {
         .def_readwrite("coat_roughness", &OpenPbrMaterial::coat_roughness)
         .def_readwrite("coat_ior", &OpenPbrMaterial::coat_ior)
         .def_readwrite("coat_darkening", &OpenPbrMaterial::coat_darkening)
-        .def_readwrite("geometry_opacity", &OpenPbrMaterial::geometry_opacity);
+        .def_readwrite("geometry_opacity", &OpenPbrMaterial::geometry_opacity)
+        .def_readwrite("geometry_thin_walled", &OpenPbrMaterial::geometry_thin_walled);
     def_keyword_constructor<OpenPbrMaterial>(open_pbr);
 
     py::enum_<PhongForm>(module, "PhongForm")

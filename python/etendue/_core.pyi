@@ -354,12 +354,14 @@ class DielectricMaterial:
         roughness: FloatInput = ...,
         reflection_tint: ColorInput = ...,
         transmission_tint: ColorInput = ...,
+        thin_walled: bool = ...,
         transmission_depth: float = ...,
     ) -> None: ...
     ior: float
     roughness: FloatInput
     reflection_tint: ColorInput
     transmission_tint: ColorInput
+    thin_walled: bool
     transmission_depth: float
 
 class PreviewSurfaceMaterial:
@@ -410,6 +412,7 @@ class OpenPbrMaterial:
         coat_ior: float = ...,
         coat_darkening: FloatInput = ...,
         geometry_opacity: FloatInput = ...,
+        geometry_thin_walled: bool = ...,
     ) -> None: ...
     base_weight: FloatInput
     base_color: ColorInput
@@ -427,6 +430,7 @@ class OpenPbrMaterial:
     coat_ior: float
     coat_darkening: FloatInput
     geometry_opacity: FloatInput
+    geometry_thin_walled: bool
 
 class PhongMaterial:
     def __init__(

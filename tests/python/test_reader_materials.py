@@ -206,6 +206,7 @@ def test_open_pbr(build: StageBuilder) -> None:
             coat_ior=1.75,
             coat_darkening=0.125,
             geometry_opacity=0.875,
+            geometry_thin_walled=True,
             emission_luminance=2.0,
             emission_color=(0.5, 1.0, 0.25),
         ),
@@ -227,6 +228,7 @@ def test_open_pbr(build: StageBuilder) -> None:
     assert model.coat_ior == 1.75
     assert model.coat_darkening.value == 0.125
     assert model.geometry_opacity.value == 0.875
+    assert model.geometry_thin_walled
     assert material(contents).emission.value == [1, 2, 0.5]
     assert contents.warnings == ()
 
@@ -276,7 +278,7 @@ def test_open_pbr_unsupported_inputs(build: StageBuilder) -> None:
             thin_film_weight=0.0,
             transmission_scatter=(0.1, 0.0, 0.0),
             fuzz_color=(1.0, 0.0, 0.0),
-            geometry_thin_walled=True,
+            subsurface_weight=0.5,
         )
         build.bind(build.quad(f"{path}Quad"), UsdShade.Material(build.stage.GetPrimAtPath(path)))
     contents = build.read()
@@ -286,7 +288,7 @@ def test_open_pbr_unsupported_inputs(build: StageBuilder) -> None:
     text = warning_texts(contents)
     assert "'transmission_scatter' is not supported; rendered without it" in text
     assert "'coat_color' is not supported; rendered without it" in text
-    assert "'geometry_thin_walled'" in text
+    assert "'subsurface_weight'" in text
 
 
 def test_open_pbr_coat_inputs_mean_nothing_without_a_coat(build: StageBuilder) -> None:

@@ -119,10 +119,21 @@ std::vector<BsdfCase> make_cases() {
         const double width = std::min(1.0, std::sqrt(2 / (exponent + 1)));
         for (PhongForm form : {PhongForm::Modified, PhongForm::Classic}) {
             const bool modified = form == PhongForm::Modified;
+            if (modified == (exponent == 0)) continue;  // the forms share their density
             cases.push_back({(modified ? "modified Phong " : "classic Phong ") + number(exponent),
                              Phong(Rgb(0.9, 0.6, 0.3), exponent, form), 1, width, true, false, modified});
         }
     }
+    for (double alpha : {0.0, 0.01, 0.16, 1.0}) {
+        const double width = std::max(0.3 * alpha, 1e-12);
+        cases.push_back(
+            {"pane alpha " + number(alpha), Dielectric(1.5, alpha, Rgb(1), Rgb(1), true), 1, width, false, true});
+    }
+    cases.push_back(
+        {"tinted pane of ior 0.8", Dielectric(0.8, 0.3, {1, 0.5, 0.2}, {0.1, 0.3, 0.2}, true), 1, 0.04, false, false});
+    LayeredParameters panes = mixture(0.09);
+    panes.glass_model = Dielectric(1.5, 0, {0.9, 1, 0.8}, {1, 0.8, 0.7}, true);
+    cases.push_back({"mixture with a pane", Layered(panes), 1, 0.09, true, false});
     LayeredParameters rough_base = plastic(0.25, 0.04);
     rough_base.diffuse_roughness = 0.7;
     cases.push_back({"plastic of rough base", Layered(rough_base), 1, 0.25, true, true});

@@ -52,6 +52,34 @@ SceneDescription glossy_box() {
     return b.scene();
 }
 
+SceneDescription phong_box() {
+    SceneBuilder b = lit_box(0.7);
+    PhongMaterial phong;
+    phong.reflectance.value = {0.8, 0.7, 0.5};
+    phong.exponent.value = 6;
+    phong.form = PhongForm::Classic;
+    b.shape(CubeDesc{0.8}, b.material(phong), translation({-0.45, -0.6, -0.2}));
+    phong.exponent.value = 15;
+    b.sphere({0.5, -0.5, 0.1}, 0.5, b.material(phong));
+    return b.scene();
+}
+
+SceneDescription layered_box() {
+    SceneBuilder b = lit_box(0.7);
+    OpenPbrMaterial coated;
+    coated.base_color.value = {0.9, 0.6, 0.3};
+    coated.base_diffuse_roughness.value = 1;
+    coated.base_metalness.value = 0.5;
+    coated.specular_roughness.value = 0.7;
+    coated.coat_weight.value = 1;
+    coated.coat_roughness.value = 0.4;
+    b.sphere({-0.45, -0.55, 0}, 0.45, b.material(coated));
+    DielectricMaterial pane = glass(0.7);
+    pane.thin_walled = true;
+    b.quad({0.1, -1, 0.4}, {0.8, 0, -0.5}, {0, 1.2, 0}, b.material(pane));
+    return b.scene();
+}
+
 SceneDescription glass_box() {
     SceneBuilder b = lit_box(1.2);
     b.sphere({0, -0.3, 0}, 0.55, b.material(glass(0)));

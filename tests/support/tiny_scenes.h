@@ -9,6 +9,8 @@ namespace etendue::test {
 [[nodiscard]] SceneDescription diffuse_box();         ///< lamp under the ceiling, a block
 [[nodiscard]] SceneDescription indirect_box();        ///< lamp turned to the ceiling
 [[nodiscard]] SceneDescription glossy_box();          ///< rough metal, UsdPreviewSurface plastic
+[[nodiscard]] SceneDescription phong_box();           ///< a block and a ball of classic Phong
+[[nodiscard]] SceneDescription layered_box();         ///< coated rough ball, rough pane
 [[nodiscard]] SceneDescription glass_box();           ///< smooth glass sphere, large lamp
 [[nodiscard]] SceneDescription rough_glass_box();     ///< frosted glass sphere
 [[nodiscard]] SceneDescription mirror_box();          ///< mirror sphere

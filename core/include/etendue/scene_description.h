@@ -80,6 +80,7 @@ struct DielectricMaterial {
     ColorInput reflection_tint{{1, 1, 1}};
     ColorInput transmission_tint{{1, 1, 1}};
     double transmission_depth = 0;
+    bool thin_walled = false;  ///< a pane in air: all its internal reflections at once, straight through
 };
 
 enum class PreviewOpacityMode { Transparent, Presence };
@@ -117,6 +118,7 @@ struct OpenPbrMaterial {
     double coat_ior = 1.6;
     FloatInput coat_darkening{1.0};
     FloatInput geometry_opacity{1.0};
+    bool geometry_thin_walled = false;  ///< of the transmission; as DielectricMaterial::thin_walled
 };
 
 /// Modified: symmetric. Classic: divided by the cosine of the direction that light comes from (theory.md §7).

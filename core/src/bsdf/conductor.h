@@ -9,7 +9,8 @@
 
 namespace etendue {
 
-/// Metal by its reflectance: GGX, or a mirror when alpha is below kSmoothAlpha. Reflects on whichever side wo is.
+/// Metal by its reflectance: GGX with MultipleScattering, or a mirror when alpha is below kSmoothAlpha. Reflects on
+/// whichever side wo is.
 class Conductor {
 public:
     Conductor(const SchlickFresnel& fresnel, double alpha) : fresnel_(fresnel), alpha_(alpha) {}
@@ -24,6 +25,15 @@ public:
     [[nodiscard]] bool has_non_delta() const { return !has_delta(); }
 
 private:
+    struct Scattering {
+        Rgb f;
+        double pdf_fwd = 0;
+        double pdf_rev = 0;
+    };
+    /// Of directions on the same side.
+    [[nodiscard]] Scattering scattering(const Vec3& wo, const Vec3& wi) const;
+    [[nodiscard]] double multiple_probability(double cos) const;
+
     SchlickFresnel fresnel_;
     double alpha_;
 };

@@ -67,15 +67,20 @@ Dielectric::Scattering Dielectric::scattering(const Vec3& wo, const Vec3& wi) co
 }
 
 Rgb Dielectric::eval(const Vec3& wo, const Vec3& wi, TransportMode mode, const AdjointPolicy& policy) const {
+    if (thin_walled_) return thin().eval(wo, wi);
     if (smooth()) return Rgb();
     return scattering(wo, wi).f * squared_index_factor(mode, eta(wo), eta(wi), policy);
 }
 
-double Dielectric::pdf(const Vec3& wo, const Vec3& wi) const { return smooth() ? 0 : scattering(wo, wi).pdf_fwd; }
+double Dielectric::pdf(const Vec3& wo, const Vec3& wi) const {
+    if (thin_walled_) return thin().pdf(wo, wi);
+    return smooth() ? 0 : scattering(wo, wi).pdf_fwd;
+}
 
 std::optional<BsdfSample> Dielectric::sample(const Vec3& wo, double u_lobe, const Vec2& u, TransportMode mode,
                                              const AdjointPolicy& policy) const {
     if (wo.z == 0) return std::nullopt;
+    if (thin_walled_) return thin().sample(wo, u_lobe, u);
     if (smooth()) return sample_smooth(wo, u_lobe, mode, policy);
 
     const Vec3 up = wo.z > 0 ? wo : flip(wo);

@@ -74,6 +74,12 @@ struct SchlickFresnel {
         const Rgb f = f0 + (f90 - f0) * s5 - dip * (cos * s5 * s);
         return {std::max(f.r, 0.0), std::max(f.g, 0.0), std::max(f.b, 0.0)};
     }
+
+    /// Over the hemisphere: 2 times the integrals of c (1 - c)^5 and c^2 (1 - c)^6 are 1/21 and 1/126.
+    [[nodiscard]] Rgb mean() const {
+        const Rgb f = f0 + (f90 - f0) / 21 - dip / 126;
+        return {std::max(f.r, 0.0), std::max(f.g, 0.0), std::max(f.b, 0.0)};
+    }
 };
 
 }  // namespace etendue

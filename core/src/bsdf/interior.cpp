@@ -23,11 +23,13 @@ std::optional<Rgb> interior(const Opaque&) {
 }
 
 std::optional<Rgb> interior(const DielectricMaterial& m) {
+    if (m.thin_walled) return {};
     return absorption(m.transmission_tint, m.transmission_depth);
 }
 
 std::optional<Rgb> interior(const OpenPbrMaterial& m) {
     if (m.transmission_weight.texture < 0 && !(m.transmission_weight.value > 0)) return {};
+    if (m.geometry_thin_walled) return {};
     return absorption(m.transmission_color, m.transmission_depth);
 }
 

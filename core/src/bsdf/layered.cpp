@@ -135,6 +135,11 @@ Layered::LobeProbabilities Layered::probabilities(const Vec3& wo) const {
     LobeProbabilities p;
     p.specular = max_component(specular);
     if (p_.coated > 0) p.diffuse = p_.coated * max_component(p_.diffuse * base_transmittance(cos));
+    if (has_multiple_scattering()) {
+        const Rgb reflectance = MultipleScattering(p_.alpha).reflectance(p_.metal_fresnel);
+        const double below = has_clearcoat() ? clearcoat_transmittance(cos) : 1;
+        p.diffuse += p_.metal * max_component(reflectance) * lost_albedo(cos, p_.alpha) * below;
+    }
     if (p_.veil > 0) p.veil = outside ? p_.veil * max_component(base_transmittance(cos)) : p_.veil;
     p.glass = p_.glass;
     if (has_clearcoat()) {
@@ -165,9 +170,12 @@ Rgb Layered::eval(const Vec3& wo, const Vec3& wi, TransportMode mode, const Adjo
             const MicrofacetReflection facet(Ggx(p_.clearcoat.alpha), wo, wi);
             f += Rgb(clearcoat_weight(facet.cos_m, wo.z > 0) * facet.value);
         }
-        if (p_.coated > 0) {
-            f += base(wo, wi) * p_.coated;
+        if (has_multiple_scattering()) {
+            const MultipleScattering multiple(p_.alpha);
+            const double value = multiple.value(std::abs(wo.z), std::abs(wi.z)) * under_clearcoat(wo, wi);
+            f += multiple.reflectance(p_.metal_fresnel) * (value * p_.metal);
         }
+        if (p_.coated > 0) f += base(wo, wi) * p_.coated;
     }
     if (p_.glass > 0) f += p_.glass_model.eval(wo, wi, mode, policy) * (p_.glass * glass_under_clearcoat(wo, wi));
     return f * p_.presence;

@@ -7,6 +7,7 @@
 #include "bsdf/dielectric.h"
 #include "bsdf/fresnel.h"
 #include "bsdf/ggx.h"
+#include "bsdf/multiple_scattering.h"
 
 namespace etendue {
 
@@ -39,7 +40,7 @@ struct LayeredParameters {
 /// The closure of UsdPreviewSurface and OpenPBR: a convex combination of components each of which is reciprocal and
 /// conserves energy on both sides, so that their sum does.
 ///
-///   metal   GGX reflection. Both sides alike.
+///   metal   GGX reflection and MultipleScattering. Both sides alike.
 ///   coated  GGX reflection with Fresnel factor F over a diffuse base. Both sides alike. What the coat does not reflect
 ///           reaches the base: f = rho / pi T(wo) T(wi) / (1 - E_mean) with T = 1 - E, E the coat's directional albedo
 ///           (Kelemen and Szirmay-Kalos 2001). Symmetric, and its albedo is rho T(wo) or less. That is for the part of
@@ -72,7 +73,7 @@ private:
         double hole = 0;
         double clearcoat = 0;
         double specular = 0;
-        double diffuse = 0;
+        double diffuse = 0;  ///< and of the metal's multiple scattering
         double veil = 0;
         double glass = 0;
     };
@@ -90,6 +91,7 @@ private:
     [[nodiscard]] LobeProbabilities probabilities(const Vec3& wo) const;
     [[nodiscard]] Rgb specular_weight(double cos_m, bool outside) const;
     [[nodiscard]] Rgb base_transmittance(double cos) const;
+    [[nodiscard]] bool has_multiple_scattering() const { return p_.metal > 0 && MultipleScattering(p_.alpha).exists(); }
     [[nodiscard]] Rgb base(const Vec3& wo, const Vec3& wi) const;
     [[nodiscard]] double pdf(const LobeProbabilities& p, const Vec3& wo, const Vec3& wi) const;
     [[nodiscard]] double eta(const Vec3& w) const;

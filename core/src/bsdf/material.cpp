@@ -18,10 +18,11 @@ BsdfModel make_model(const ConductorMaterial& material, const InputReader& read)
 }
 
 BsdfModel make_model(const DielectricMaterial& material, const InputReader& read) {
-    const bool clear_surface = colors_the_inside(material.transmission_tint, material.transmission_depth);
+    const bool clear_surface =
+        !material.thin_walled && colors_the_inside(material.transmission_tint, material.transmission_depth);
     return Dielectric(usable_ior(material.ior), read.alpha(material.roughness),
                       read.reflectance(material.reflection_tint),
-                      clear_surface ? Rgb(1) : read.reflectance(material.transmission_tint));
+                      clear_surface ? Rgb(1) : read.reflectance(material.transmission_tint), material.thin_walled);
 }
 
 /// A Phong lobe of this exponent is 1e-4 rad wide, which densities in double still resolve.

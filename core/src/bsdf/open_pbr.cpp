@@ -45,6 +45,7 @@ struct OpenPbr {
     double presence;
     double alpha;
     double ior;
+    bool thin_walled;
     Clearcoat coat;
     Rgb darkened{1};  ///< factor on everything below the coat
 
@@ -52,14 +53,16 @@ struct OpenPbr {
         : base(read.reflectance(material.base_color) * read.fraction(material.base_weight)),
           specular_color(read.reflectance(material.specular_color)),
           transmission_color(read.reflectance(material.transmission_color)),
-          clear_surface(colors_the_inside(material.transmission_color, material.transmission_depth)),
+          clear_surface(!material.geometry_thin_walled &&
+                        colors_the_inside(material.transmission_color, material.transmission_depth)),
           diffuse_roughness(read.fraction(material.base_diffuse_roughness)),
           metalness(read.fraction(material.base_metalness)),
           specular_weight(read.fraction(material.specular_weight)),
           transmission(read.fraction(material.transmission_weight)),
           presence(read.fraction(material.geometry_opacity)),
           alpha(read.alpha(material.specular_roughness)),
-          ior(modulated_ior(usable_ior(material.specular_ior), specular_weight)) {
+          ior(modulated_ior(usable_ior(material.specular_ior), specular_weight)),
+          thin_walled(material.geometry_thin_walled) {
         const double coat_ior = usable_ior(material.coat_ior);
         const double weight = read.fraction(material.coat_weight);
         if (!(weight > 0) || coat_ior == 1) return;
@@ -82,7 +85,7 @@ struct OpenPbr {
 
     [[nodiscard]] Dielectric glass() const {
         const Rgb tint = clear_surface ? Rgb(1) : transmission_color;
-        return Dielectric(ior, alpha, specular_color * darkened, tint * darkened);
+        return Dielectric(ior, alpha, specular_color * darkened, tint * darkened, thin_walled);
     }
 };
 

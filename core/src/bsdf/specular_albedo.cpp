@@ -173,6 +173,18 @@ SpecularAlbedo specular_albedo(double cos, double alpha) {
     return table().directional(cos, alpha);
 }
 
+double lost_albedo(double cos, double alpha) {
+    const double fade = std::clamp(alpha / kMultipleScatteringAlpha - 1, 0.0, 1.0);
+    if (fade == 0) return 0;
+    const SpecularAlbedo white = specular_albedo(cos, alpha);
+    return fade * std::max(0.0, 1 - white.of_f0 - white.of_f90 - specular_albedo_margin(cos, alpha));
+}
+
+double mean_lost_albedo(double alpha) {
+    const SpecularAlbedo white = mean_specular_albedo(alpha);
+    return 1 - white.of_f0 - white.of_f90;
+}
+
 double specular_albedo_margin(double cos, double alpha) {
     if (alpha < kSmoothAlpha) return 0;
     const double grazing = std::max(0.0, 1 - cos / 0.2);

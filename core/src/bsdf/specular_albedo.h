@@ -34,6 +34,16 @@ struct SquaredSpecularAlbedo {
 /// roughnesses, and squares are convex between them.
 [[nodiscard]] SquaredSpecularAlbedo mean_squared_specular_albedo(double alpha);
 
+/// Below this alpha too little of white GGX's light is lost between facets, save at grazing angles, to be worth a lobe.
+inline constexpr double kMultipleScatteringAlpha = 0.02;
+
+/// What is lost, 1 less the directional albedo of white GGX: never more than the truth, and faded out between twice
+/// kMultipleScatteringAlpha and once.
+[[nodiscard]] double lost_albedo(double cos, double alpha);
+
+/// Its hemispherical mean, or more.
+[[nodiscard]] double mean_lost_albedo(double alpha);
+
 /// No true directional albedo with 0 <= f0 <= f90 <= 1 exceeds the tabulated one by more (the tests measure it). The
 /// table is coarsest where albedos change on the scale cos / alpha.
 [[nodiscard]] double specular_albedo_margin(double cos, double alpha);

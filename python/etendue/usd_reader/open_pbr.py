@@ -19,15 +19,11 @@ _UNSUPPORTED: dict[str, float | Sequence[float]] = {
     "subsurface_weight": 0.0,
     "fuzz_weight": 0.0,
     "thin_film_weight": 0.0,
-    "geometry_thin_walled": 0.0,
 }
 # Of a coat, when there is one.
 _UNSUPPORTED_OF_COAT: dict[str, float | Sequence[float]] = {
     "coat_color": (1.0, 1.0, 1.0),
     "coat_roughness_anisotropy": 0.0,
-}
-_CONSEQUENCES = {
-    "geometry_thin_walled": "the surface is the boundary of a solid",
 }
 
 
@@ -60,17 +56,17 @@ def read_open_pbr(context: ReadContext, inputs: ShaderInputs) -> _core.MaterialD
     model.coat_ior = float(inputs.constant("coat_ior", model.coat_ior))
     model.coat_darkening = inputs.number("coat_darkening", model.coat_darkening)
     model.geometry_opacity = inputs.number("geometry_opacity", model.geometry_opacity)
+    model.geometry_thin_walled = bool(inputs.constant("geometry_thin_walled", False))
 
     unsupported = dict(_UNSUPPORTED)
     if inputs.is_authored("coat_weight", 0.0):
         unsupported |= _UNSUPPORTED_OF_COAT
     for name, default in unsupported.items():
         if inputs.is_authored(name, default):
-            consequence = _CONSEQUENCES.get(name, "rendered without it")
             context.report.warn(
                 f"open_pbr_surface {name}",
                 inputs.shader.GetPath(),
-                f"open_pbr_surface input '{name}' is not supported; {consequence}",
+                f"open_pbr_surface input '{name}' is not supported; rendered without it",
             )
     luminance = float(inputs.constant("emission_luminance", 0.0))
     emission = _core.ColorInput()

@@ -58,7 +58,8 @@ BsdfModel nasty_model(Rng& rng) {
         return Phong(nasty_color(rng), exponent, which < 0.08 ? PhongForm::Modified : PhongForm::Classic);
     }
     if (which < 0.2) return Conductor(SchlickFresnel{nasty_color(rng), nasty_color(rng), nasty_color(rng)}, alpha);
-    const Dielectric glass(nasty_ior(rng), alpha, nasty_color(rng), nasty_color(rng));
+    const bool thin = rng.next_1d() < 0.3;
+    const Dielectric glass(nasty_ior(rng), alpha, nasty_color(rng), nasty_color(rng), thin);
     if (which < 0.5) return glass;
     LayeredParameters p;
     p.presence = nasty_fraction(rng);
@@ -172,6 +173,19 @@ TEST(BsdfLimits, IndexTendsToOne) {
     EXPECT_EQ(s->wi, -wo);
     EXPECT_EQ(s->weight, Rgb(1));
     EXPECT_TRUE(s->delta);
+}
+
+/// A pane whose index is that of the air is not there, rough or not, and nearly so when it nearly is.
+TEST(BsdfLimits, PaneVanishesWithItsIndex) {
+    for (double difference : {1e-3, 1e-6, 0.0}) {
+        for (double alpha : {0.0, 0.25}) {
+            const Bsdf pane = flat(Dielectric(1 + difference, alpha, Rgb(1), Rgb(1), true));
+            const auto s = pane.sample(direction(0.6, 1), 0.9, {0.3, 0.7}, TransportMode::Radiance, kCorrect);
+            ASSERT_TRUE(s && s->transmission);
+            EXPECT_LE(length(s->wi + direction(0.6, 1)), difference);
+            EXPECT_NEAR(s->weight.r, 1, 0.01);
+        }
+    }
 }
 
 TEST(BsdfLimits, GrazingAngles) {

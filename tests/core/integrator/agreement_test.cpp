@@ -40,7 +40,8 @@ TEST_P(Agreement, LightIsPath) {
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Agreement,
     testing::Values(Case{"diffuse_box", diffuse_box, true}, Case{"indirect_box", indirect_box, true},
-                    Case{"glossy_box", glossy_box, true}, Case{"glass_box", glass_box, false},
+                    Case{"glossy_box", glossy_box, true}, Case{"phong_box", phong_box, true},
+                    Case{"layered_box", layered_box, false}, Case{"glass_box", glass_box, false},
                     Case{"rough_glass_box", rough_glass_box, true}, Case{"mirror_box", mirror_box, false},
                     Case{"smooth_normals_box", smooth_normals_box, true}, Case{"sky", sky, false},
                     Case{"image_sky", image_sky, true}, Case{"many_lights", many_lights, true},
