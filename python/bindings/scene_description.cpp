@@ -236,9 +236,17 @@ void bind_lights(py::module_& module) {
         .value("Rect", LightKind::Rect)
         .value("Disk", LightKind::Disk)
         .value("Sphere", LightKind::Sphere)
+        .value("Cylinder", LightKind::Cylinder)
         .value("Distant", LightKind::Distant)
         .value("Dome", LightKind::Dome)
         .value("Mesh", LightKind::Mesh);
+
+    py::class_<ShapingDesc> shaping(module, "ShapingDesc");
+    shaping.def_readwrite("focus", &ShapingDesc::focus)
+        .def_readwrite("focus_tint", &ShapingDesc::focus_tint)
+        .def_readwrite("cone_angle", &ShapingDesc::cone_angle)
+        .def_readwrite("cone_softness", &ShapingDesc::cone_softness);
+    def_keyword_constructor<ShapingDesc>(shaping);
 
     py::class_<LightDesc> light(module, "LightDesc");
     light.def_readwrite("name", &LightDesc::name).def_readwrite("kind", &LightDesc::kind);
@@ -250,12 +258,15 @@ void bind_lights(py::module_& module) {
         .def_readwrite("normalize", &LightDesc::normalize)
         .def_readwrite("width", &LightDesc::width)
         .def_readwrite("height", &LightDesc::height)
+        .def_readwrite("length", &LightDesc::length)
         .def_readwrite("radius", &LightDesc::radius)
         .def_readwrite("treat_as_point", &LightDesc::treat_as_point)
+        .def_readwrite("treat_as_line", &LightDesc::treat_as_line)
         .def_readwrite("angle", &LightDesc::angle)
         .def_readwrite("texture_file", &LightDesc::texture_file)
         .def_readwrite("texture_color_space", &LightDesc::texture_color_space)
         .def_readwrite("pole_axis", &LightDesc::pole_axis)
+        .def_readwrite("shaping", &LightDesc::shaping)
         .def_readwrite("shape", &LightDesc::shape)
         .def_readwrite("tinted_by_material", &LightDesc::tinted_by_material);
     def_keyword_constructor<LightDesc>(light);

@@ -128,6 +128,7 @@ class LightKind:
     Rect: LightKind
     Disk: LightKind
     Sphere: LightKind
+    Cylinder: LightKind
     Distant: LightKind
     Dome: LightKind
     Mesh: LightKind
@@ -629,6 +630,23 @@ class InstanceDesc:
     @world_from_group.setter
     def world_from_group(self, value: npt.ArrayLike, /) -> None: ...
 
+class ShapingDesc:
+    def __init__(
+        self,
+        *,
+        focus: float = ...,
+        focus_tint: _Floats = ...,
+        cone_angle: float = ...,
+        cone_softness: float = ...,
+    ) -> None: ...
+    focus: float
+    @property
+    def focus_tint(self) -> list[float]: ...
+    @focus_tint.setter
+    def focus_tint(self, value: _Floats, /) -> None: ...
+    cone_angle: float
+    cone_softness: float
+
 class LightDesc:
     """world_from_light: (4, 4), for column vectors."""
 
@@ -645,12 +663,15 @@ class LightDesc:
         normalize: bool = ...,
         width: float = ...,
         height: float = ...,
+        length: float = ...,
         radius: float = ...,
         treat_as_point: bool = ...,
+        treat_as_line: bool = ...,
         angle: float = ...,
         texture_file: str = ...,
         texture_color_space: TextureColorSpace = ...,
         pole_axis: Axis = ...,
+        shaping: ShapingDesc | None = ...,
         shape: int = ...,
         tinted_by_material: bool = ...,
     ) -> None: ...
@@ -673,12 +694,15 @@ class LightDesc:
     normalize: bool
     width: float
     height: float
+    length: float
     radius: float
     treat_as_point: bool
+    treat_as_line: bool
     angle: float
     texture_file: str
     texture_color_space: TextureColorSpace
     pole_axis: Axis
+    shaping: ShapingDesc | None
     shape: int
     tinted_by_material: bool
 

@@ -122,17 +122,15 @@ def _vertices(geometry: object) -> int:
 def _requirements(scene: _core.SceneDescription) -> Requirements:
     lobes = [_lobes(material.model) for material in scene.materials]
     kinds = {light.kind for light in scene.lights}
-    points = [
-        light
-        for light in scene.lights
-        if light.kind == _core.LightKind.Sphere and (light.treat_as_point or light.radius == 0)
-    ]
     area_kinds = {
         _core.LightKind.Rect,
         _core.LightKind.Disk,
+        _core.LightKind.Sphere,
+        _core.LightKind.Cylinder,
         _core.LightKind.Mesh,
     }
-    spheres = sum(light.kind == _core.LightKind.Sphere for light in scene.lights)
+    points = [light for light in scene.lights if _is_thin(light)]
+    areas = sum(light.kind in area_kinds for light in scene.lights)
     return Requirements(
         smooth_reflection=any("smooth reflection" in lobe for lobe in lobes),
         smooth_transmission=any("smooth transmission" in lobe for lobe in lobes),
@@ -141,7 +139,7 @@ def _requirements(scene: _core.SceneDescription) -> Requirements:
         cutouts=any("cutout" in lobe for lobe in lobes),
         textures=bool(scene.textures) or any(light.texture_file for light in scene.lights),
         normal_maps=any(material.normal_texture >= 0 for material in scene.materials),
-        area_lights=bool(kinds & area_kinds) or spheres > len(points),
+        area_lights=areas > len(points),
         emitting_surfaces=any(
             material.emission.texture >= 0 or any(material.emission.value)
             for material in scene.materials
@@ -150,6 +148,13 @@ def _requirements(scene: _core.SceneDescription) -> Requirements:
         infinite_lights=bool(kinds & {_core.LightKind.Distant, _core.LightKind.Dome}),
         thin_lens=any(camera.f_stop > 0 and camera.focus_distance > 0 for camera in scene.cameras),
     )
+
+
+def _is_thin(light: _core.LightDesc) -> bool:
+    """A point or a line."""
+    if light.kind == _core.LightKind.Sphere:
+        return light.treat_as_point or light.radius == 0
+    return light.kind == _core.LightKind.Cylinder and (light.treat_as_line or light.radius == 0)
 
 
 def _lobes(model: _core.MaterialModel) -> set[str]:

@@ -53,6 +53,24 @@ def test_sphere(build: StageBuilder, point: bool) -> None:
     assert (light.radius, light.treat_as_point) == (0, point)
 
 
+@pytest.mark.parametrize("line", [False, True])
+def test_cylinder(build: StageBuilder, line: bool) -> None:
+    build.light("CylinderLight", length=3.0, radius=0.25).GetAttribute("treatAsLine").Set(line)
+    contents = build.read()
+    (light,) = contents.scene.lights
+    assert light.kind == _core.LightKind.Cylinder
+    assert (light.length, light.radius, light.treat_as_line) == (3, 0.25, line)
+    assert contents.warnings == ()
+
+
+def test_rect_texture(build: StageBuilder, sky: Path) -> None:
+    prim = build.light("RectLight")
+    prim.GetAttribute("inputs:texture:file").Set(Sdf.AssetPath(str(sky)))
+    contents = build.read()
+    assert contents.scene.lights[0].texture_file == str(sky)
+    assert contents.warnings == ()
+
+
 @pytest.mark.parametrize("kind", ["DomeLight", "DomeLight_1"])
 def test_dome(build: StageBuilder, kind: str) -> None:
     build.light(kind, color=(0.25, 0.5, 0.75))
@@ -202,7 +220,7 @@ def test_mesh_light_without_material_response(build: StageBuilder) -> None:
 # ------------------------------------------------------------------------------------ unsupported
 
 
-@pytest.mark.parametrize("kind", ["CylinderLight", "PortalLight", "GeometryLight"])
+@pytest.mark.parametrize("kind", ["PortalLight", "GeometryLight"])
 def test_unsupported_kinds_are_skipped(build: StageBuilder, kind: str) -> None:
     build.light(kind, "/A")
     build.light(kind, "/B")
@@ -217,27 +235,42 @@ def shaping(prim: Usd.Prim, **inputs: Any) -> None:
         prim.GetAttribute(f"inputs:shaping:{name.replace('_', ':')}").Set(value)
 
 
-@pytest.mark.parametrize(
-    ("kind", "inputs", "warns"),
-    [
-        ("RectLight", {}, False),
-        ("SphereLight", {}, True),  # a cone of 90 degrees cuts its back half off
-        ("SphereLight", {"cone_angle": 180.0}, False),
-        ("RectLight", {"cone_angle": 30.0}, True),
-        ("RectLight", {"focus": 2.0}, True),
-    ],
-)
-def test_shaping(build: StageBuilder, kind: str, inputs: dict[str, float], warns: bool) -> None:
+def test_shaping_that_is_not_applied_is_none(build: StageBuilder) -> None:
+    build.light("SphereLight")
+    assert only_light(build).shaping is None
+
+
+def test_shaping_defaults(build: StageBuilder) -> None:
+    shaping(build.light("SphereLight"))
+    light = only_light(build)
+    assert light.shaping is not None
+    assert (light.shaping.cone_angle, light.shaping.cone_softness) == (90, 0)
+    assert (light.shaping.focus, light.shaping.focus_tint) == (0, [0, 0, 0])
+
+
+@pytest.mark.parametrize("kind", ["RectLight", "DiskLight", "SphereLight", "CylinderLight"])
+def test_shaping(build: StageBuilder, kind: str) -> None:
+    inputs = {"cone_angle": 30.0, "cone_softness": 0.5, "focus": 2.0, "focusTint": (0.25, 0.5, 1)}
     shaping(build.light(kind), **inputs)
     contents = build.read()
-    assert len(contents.scene.lights) == 1
-    assert ("ShapingAPI" in warning_texts(contents)) == warns
+    desc = contents.scene.lights[0].shaping
+    assert desc is not None
+    assert (desc.cone_angle, desc.cone_softness, desc.focus) == (30, 0.5, 2)
+    assert desc.focus_tint == [0.25, 0.5, 1]
+    assert contents.warnings == ()
+
+
+@pytest.mark.parametrize("kind", ["DistantLight", "DomeLight"])
+def test_shaping_of_infinite_lights(build: StageBuilder, kind: str) -> None:
+    shaping(build.light(kind), cone_angle=30.0)
+    contents = build.read()
+    assert contents.scene.lights[0].shaping is None
+    assert f"a {kind} has no shape" in warning_texts(contents)
 
 
 def test_other_unsupported_inputs_warn_once_per_kind(build: StageBuilder) -> None:
     for path in ("/A", "/B"):
         prim = build.light("RectLight", path, diffuse=0.5, specular=0.5)
-        prim.GetAttribute("inputs:texture:file").Set(Sdf.AssetPath("slide.png"))
         shaping(prim, ies_file=Sdf.AssetPath("lamp.ies"))
         UsdLux.ShadowAPI.Apply(prim).CreateShadowEnableAttr(False)
         light = UsdLux.LightAPI(prim)
@@ -246,12 +279,11 @@ def test_other_unsupported_inputs_warn_once_per_kind(build: StageBuilder) -> Non
         light.GetShadowLinkCollectionAPI().CreateIncludeRootAttr(False)
     contents = build.read()
     assert len(contents.scene.lights) == 2
-    assert [(warning.path, warning.count) for warning in contents.warnings] == [("/A", 2)] * 8
+    assert [(warning.path, warning.count) for warning in contents.warnings] == [("/A", 2)] * 7
     text = warning_texts(contents)
     for word in (
         "inputs:diffuse",
         "inputs:specular",
-        "light textures",
         "light filters",
         "IES",
         "ShadowAPI",

@@ -43,6 +43,8 @@ class Case:
 CASES = [
     Case("cornell_box", "path", 64),
     Case("cornell_box", "light", 64),
+    Case("sundial", "path", 64),
+    Case("sundial", "light", 64),
     Case("cornell_indirect", "path", 256),
     Case("cornell_indirect", "light", 64),
     Case("bump_plane", "path", 32),

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include <functional>
+#include <string>
+
 #include "core/io/temporary_directory.h"
 #include "support/hdr_file.h"
 #include "support/scene_builder.h"
@@ -143,6 +146,39 @@ SceneDescription image_sky() {
     dome.world_from_light = look_at({0, 0, 0}, {0.6, 0.2, 1});
     b.light(dome);
     b.camera({0, 2, 5}, {0, 0.8, 0}, 40);
+    return b.scene();
+}
+
+SceneDescription shaped_lights() {
+    static const TemporaryDirectory directory;
+    const std::string file = directory.file("screen.hdr");
+    write_hdr(file, 4, 2, [](int x, int y) { return x == 1 && y == 0 ? Rgb(4, 2, 1) : Rgb(0.25, 0.25, 0.5); });
+    SceneBuilder b;
+    b.open_box(b.diffuse(0.5));
+    const auto add = [&b](LightKind kind, const Vec3& from, const Vec3& to, double intensity) {
+        LightDesc light;
+        light.kind = kind;
+        light.width = light.height = 0.4;
+        light.radius = kind == LightKind::Cylinder ? 0.08 : 0.15;
+        light.length = 0.6;
+        light.intensity = intensity;
+        light.world_from_light = look_at(from, to);
+        b.light(light);
+        return std::ref(b.scene().lights.back());
+    };
+    add(LightKind::Rect, {0, 0.6, -0.9}, {0, 0.5, 0}, 4).get().texture_file = file;
+    add(LightKind::Cylinder, {-0.5, -0.3, 0.2}, {-0.2, -1, 0}, 3);
+    add(LightKind::Disk, {0.6, 0.8, 0}, {0.3, -1, 0}, 30).get().shaping = ShapingDesc{0, {}, 20, 0.3};
+    add(LightKind::Sphere, {-0.6, 0.7, 0}, {-1, 0, 0}, 8).get().shaping = ShapingDesc{4, {0.2, 0, 0}, 60, 0};
+    LightDesc spot = point_light({0.2, 0.1, 0.3}, 12);
+    spot.world_from_light = look_at({0.2, 0.1, 0.3}, {0.6, -1, -0.4});
+    spot.shaping = ShapingDesc{0, {}, 30, 0.5};
+    b.light(spot);
+    LightDesc line = point_light({}, 1);
+    line.kind = LightKind::Cylinder;
+    line.world_from_light = look_at({0.7, -0.6, 0.2}, {0, 0, 0});
+    b.light(line);
+    b.camera({0.1, 0.1, 3.8}, {0, 0, 0}, 36);
     return b.scene();
 }
 

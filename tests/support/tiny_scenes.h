@@ -17,6 +17,7 @@ namespace etendue::test {
 [[nodiscard]] SceneDescription smooth_normals_box();  ///< low-polygon spheres with smooth normals
 [[nodiscard]] SceneDescription sky();                 ///< dome and a broad sun over a plane with a sphere
 [[nodiscard]] SceneDescription image_sky();           ///< a dome with a latlong image, turned, over a plane and a ball
+[[nodiscard]] SceneDescription shaped_lights();       ///< beams of all kinds, a cylinder, a picture on a rect
 [[nodiscard]] SceneDescription many_lights();         ///< every kind of light that has a size, a glowing mesh too
 [[nodiscard]] SceneDescription aimed_lights();        ///< lamp, ball and sun aimed at two small frosted glass balls
 [[nodiscard]] SceneDescription light_crowd();         ///< 300 small lamps that face everywhere, and a faint dome

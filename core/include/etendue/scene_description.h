@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -209,7 +210,15 @@ struct InstanceDesc {
 
 // ------------------------------------------------------------------------------------------------------ lights
 
-enum class LightKind { Rect, Disk, Sphere, Distant, Dome, Mesh };
+enum class LightKind { Rect, Disk, Sphere, Cylinder, Distant, Dome, Mesh };
+
+/// UsdLux ShapingAPI.
+struct ShapingDesc {
+    double focus = 0;
+    Color focus_tint{0, 0, 0};
+    double cone_angle = 90;  ///< from the axis, degrees
+    double cone_softness = 0;
+};
 
 /// A UsdLux light, attribute by attribute. Units and size factors: UsdLux 26.11 (area in scene units squared).
 struct LightDesc {
@@ -223,12 +232,16 @@ struct LightDesc {
     bool normalize = false;
     double width = 1;             ///< rect
     double height = 1;            ///< rect
-    double radius = 0.5;          ///< disk, sphere
+    double length = 1;            ///< cylinder, along x
+    double radius = 0.5;          ///< disk, sphere, cylinder
     bool treat_as_point = false;  ///< sphere
+    bool treat_as_line = false;   ///< cylinder
     double angle = 0.53;          ///< distant: full angle, degrees; 0 is a delta light of `intensity` lux
-    std::string texture_file;     ///< dome: latlong; empty: none
+    std::string texture_file;     ///< rect, and dome: latlong; empty: none
     TextureColorSpace texture_color_space = TextureColorSpace::Auto;
-    Axis pole_axis = Axis::Y;         ///< dome: which axis of light space the top of the texture is about; Y or Z
+    Axis pole_axis = Axis::Y;  ///< dome: which axis of light space the top of the texture is about; Y or Z
+    /// Rect, disk, sphere, cylinder: empty when not applied, which is no cone at all.
+    std::optional<ShapingDesc> shaping;
     int shape = -1;                   ///< mesh: index into SceneDescription::shapes
     bool tinted_by_material = false;  ///< mesh: materialGlowTintsLight
 };

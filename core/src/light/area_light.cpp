@@ -7,7 +7,23 @@
 
 namespace etendue {
 
-Rgb AreaLight::radiance(const LightPoint& y, const Vec3& w) const { return dot(w, y.n) > 0 ? emitted(y) : Rgb{}; }
+void AreaLight::shape(const Shaping& shaping) {
+    const Vec3 n = flat_normal();
+    const bool flat = length_squared(n) > 0;
+    beam_ = std::make_unique<Beam>(shaping, flat ? n : shaping.axis(), [this](const Vec3& w) { return silhouette(w); });
+    // A flat light's beam holds the cosine. Of a round one half the points turn away from any direction: the mean
+    // square of its weights, in units of their squared mean, is that of a cosine of points all around a sphere,
+    // (1/6) / (1/4)^2, and by the cosine it is the concentration.
+    emits_by_beam_ = flat || beam_->concentration() > 8 / 3.0;
+}
+
+Rgb AreaLight::emitted_along(const LightPoint& y, const Vec3& w) const {
+    return beam_ ? emitted(y) * beam_->factor(w) : emitted(y);
+}
+
+Rgb AreaLight::radiance(const LightPoint& y, const Vec3& w) const {
+    return dot(w, y.n) > 0 ? emitted_along(y, w) : Rgb{};
+}
 
 std::optional<DirectSample> AreaLight::direct_sample(const Vec3& receiver, const PointSample& point) const {
     if (!faces(point.y, receiver)) return {};
@@ -16,8 +32,10 @@ std::optional<DirectSample> AreaLight::direct_sample(const Vec3& receiver, const
     sample.y = point.y;
     sample.distance = length(to_light);
     sample.wi = to_light / sample.distance;
+    const Rgb radiance = emitted_along(point.y, -sample.wi);
+    if (is_black(radiance)) return {};
     // L / pdf_w with pdf_w = pdf_a d^2 / |cos|.
-    sample.weight = emitted(point.y) * (area_per_solid_angle(receiver, point.y.p, point.y.n) / point.pdf);
+    sample.weight = radiance * (area_per_solid_angle(receiver, point.y.p, point.y.n) / point.pdf);
     sample.pdf_point = point.pdf;
     return sample;
 }
@@ -32,20 +50,32 @@ double AreaLight::pdf_direct(const Vec3& receiver, const LightPoint& y) const {
 
 EmissionSample AreaLight::sample_emission(const Vec2& u_point, const Vec2& u_dir) const {
     const PointSample point = sample_point(u_point);
-    const Vec3 local = sample_cosine_hemisphere(u_dir);
     EmissionSample sample;
     sample.y = point.y;
     sample.origin = point.y.p;
-    sample.direction = Frame::from_normal(point.y.n).to_world(local);
-    sample.pdf = {point.pdf, local.z * kInvPi};
-    sample.weight = emitted(point.y) * (kPi / point.pdf);  // the cosine cancels
+    const bool diffuse = !emits_by_beam_;
+    const Vec3 local = diffuse ? sample_cosine_hemisphere(u_dir) : Vec3{};
+    sample.direction = diffuse ? Frame::from_normal(point.y.n).to_world(local) : beam_->sample(u_dir);
+    const double cos = diffuse ? local.z : dot(sample.direction, point.y.n);
+    sample.pdf = {point.pdf, diffuse ? local.z * kInvPi : beam_->pdf(sample.direction)};
+    if (!diffuse && !(cos > 0)) return sample;  // from the back nothing leaves
+    const double per_direction = diffuse ? kPi : cos / sample.pdf.pdf_dir;
+    sample.weight = emitted_along(point.y, sample.direction) * (per_direction / point.pdf);
     return sample;
 }
 
-EmissionPdf AreaLight::pdf_emission(const LightPoint& y, const Vec3& w) const {
-    return {pdf_point(y), std::max(0.0, dot(w, y.n)) * kInvPi};
+double AreaLight::pdf_emission_direction(const Vec3& n, const Vec3& w) const {
+    const double cos = dot(w, n);
+    if (!(cos > 0)) return 0;
+    return emits_by_beam_ ? beam_->pdf(w) : cos * kInvPi;
 }
 
-Rgb AreaLight::power() const { return radiance_ * (kPi * area_); }
+EmissionPdf AreaLight::pdf_emission(const LightPoint& y, const Vec3& w) const {
+    return {pdf_point(y), pdf_emission_direction(y.n, w)};
+}
+
+Rgb AreaLight::power() const { return mean_emitted() * (beam_ ? beam_->integral() : Rgb(kPi * area_)); }
+
+LightBounds AreaLight::shaped_bounds(LightBounds bounds) const { return beam_ ? narrowed(bounds, *beam_) : bounds; }
 
 }  // namespace etendue

@@ -34,7 +34,7 @@ std::optional<LightBounds> DiskLight::bounds() const {
     const Vec3 y = world_from_light_.vector({0, radius_, 0});
     const Vec3 half{std::hypot(x.x, y.x), std::hypot(x.y, y.y), std::hypot(x.z, y.z)};
     const Vec3& center = world_from_light_.translation();
-    return LightBounds{center - half, center + half, n_, 1};
+    return shaped_bounds({center - half, center + half, n_, 1});
 }
 
 }  // namespace etendue

@@ -25,7 +25,8 @@ struct DirectSample {
     /// Radiance over the density per solid angle at the receiver; of a point light I / d^2, of a delta distant light
     /// its irradiance. Irradiance on a surface facing the light is the mean of this.
     Rgb weight;
-    /// Density of y in its native measure: per area for surfaces, per solid angle for infinite lights, 1 for deltas.
+    /// Density of y in its native measure: per area for surfaces, per solid angle for infinite lights, per length for
+    /// lines, 1 for points and single directions.
     double pdf_point = 0;
 };
 
@@ -58,8 +59,8 @@ public:
 
     /// Le(y -> w), nits. Zero on the dark side; zero for delta lights (their Le is no function).
     [[nodiscard]] virtual Rgb radiance(const LightPoint& y, const Vec3& w) const = 0;
-    /// Le(y -> w) |cos| of surfaces, the intensity of points, candela: what a path that leaves y along w carries. Not
-    /// of infinite lights.
+    /// Le(y -> w) |cos| of surfaces, the intensity of points, candela (of lines per length): what a path that leaves y
+    /// along w carries. Not of infinite lights.
     [[nodiscard]] virtual Rgb emission(const LightPoint& y, const Vec3& w) const {
         return radiance(y, w) * std::abs(dot(w, y.n));
     }
@@ -75,7 +76,7 @@ public:
     [[nodiscard]] virtual std::optional<LightBounds> bounds() const { return {}; }
     /// At infinity: LightPoint::p is a direction.
     [[nodiscard]] virtual bool infinite() const { return false; }
-    /// A point, or a single direction: no path finds it by chance.
+    /// A point, a line, or a single direction: no path finds it by chance.
     [[nodiscard]] virtual bool delta() const { return false; }
 };
 

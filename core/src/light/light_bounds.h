@@ -11,7 +11,8 @@ struct LightBounds {
     Vec3 upper;
     Vec3 axis{0, 0, 1};       ///< of the cone of normals, unit
     double cos_normals = -1;  ///< its half angle; -1: normals, or a point's directions, all around
-    double cos_emission = 0;  ///< light leaves within this angle of the normal, a right angle at most
+    double cos_emission = 0;  ///< light leaves within this angle of the normal, a right angle at most; of a narrow
+                              ///< beam's axis, which then counts as the only normal
 
     [[nodiscard]] Vec3 center() const { return (lower + upper) * 0.5; }
     [[nodiscard]] double diagonal_squared() const { return length_squared(upper - lower); }

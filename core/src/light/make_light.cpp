@@ -6,11 +6,13 @@
 
 #include <etendue/error.h>
 
+#include "light/cylinder_light.h"
 #include "light/dark_light.h"
 #include "light/disk_light.h"
 #include "light/distant_light.h"
 #include "light/dome_light.h"
 #include "light/latlong_dome_light.h"
+#include "light/line_light.h"
 #include "light/point_light.h"
 #include "light/rect_light.h"
 #include "light/sphere_light.h"
@@ -40,7 +42,13 @@ void check_attributes(const LightDesc& light) {
     require_not_negative(light, light.width, "width");
     require_not_negative(light, light.height, "height");
     require_not_negative(light, light.radius, "radius");
+    require_not_negative(light, light.length, "length");
     require_finite(light, light.angle, "angle");
+    if (!light.shaping) return;
+    require_finite(light, light.shaping->focus, "shaping focus");
+    for (double c : light.shaping->focus_tint) require_finite(light, c, "shaping focus tint");
+    require_finite(light, light.shaping->cone_angle, "shaping cone angle");
+    require_finite(light, light.shaping->cone_softness, "shaping cone softness");
 }
 
 /// What `make` returns; what it complains of is said of the light.
@@ -71,18 +79,32 @@ Rgb surface_radiance(const LightDesc& light, double area) {
     return finite(light, lux_radiance(light, lux_area_size_factor(area)));
 }
 
-std::unique_ptr<Light> make_rect(const LightDesc& light, const Transform& world_from_light) {
+/// The light, shaped if it is authored so. What then emits nothing is dark.
+template <typename Shapeable>
+std::unique_ptr<Light> shaped(const LightDesc& light, const Transform& world_from_light,
+                              std::unique_ptr<Shapeable> plain) {
+    if (light.shaping) plain->shape({*light.shaping, normalize(world_from_light.vector({0, 0, -1}))});
+    if (is_black(plain->power())) return std::make_unique<DarkLight>();
+    return plain;
+}
+
+std::unique_ptr<Light> make_rect(const LightDesc& light, const Transform& world_from_light,
+                                 std::shared_ptr<const EmissionImage> image) {
     const double area = RectLight::world_area(world_from_light, light.width, light.height);
     const Rgb radiance = surface_radiance(light, area);
     if (area == 0) return std::make_unique<DarkLight>();
-    return std::make_unique<RectLight>(world_from_light, light.width, light.height, radiance);
+    std::optional<RectImage> picture;
+    if (image) naming(light, [&] { picture.emplace(std::move(image)); });
+    return shaped(
+        light, world_from_light,
+        std::make_unique<RectLight>(world_from_light, light.width, light.height, radiance, std::move(picture)));
 }
 
 std::unique_ptr<Light> make_disk(const LightDesc& light, const Transform& world_from_light) {
     const double area = DiskLight::world_area(world_from_light, light.radius);
     const Rgb radiance = surface_radiance(light, area);
     if (area == 0) return std::make_unique<DarkLight>();
-    return std::make_unique<DiskLight>(world_from_light, light.radius, radiance);
+    return shaped(light, world_from_light, std::make_unique<DiskLight>(world_from_light, light.radius, radiance));
 }
 
 bool is_point(const LightDesc& light) { return light.radius == 0 || light.treat_as_point; }
@@ -90,10 +112,31 @@ bool is_point(const LightDesc& light) { return light.radius == 0 || light.treat_
 std::unique_ptr<Light> make_sphere(const LightDesc& light, const Transform& world_from_light) {
     const double area = SphereLight::world_area(world_from_light, light.radius);
     if (is_point(light)) {
-        return std::make_unique<PointLight>(world_from_light.translation(),
-                                            finite(light, lux_point_intensity(light, area)));
+        return shaped(light, world_from_light,
+                      std::make_unique<PointLight>(world_from_light.translation(),
+                                                   finite(light, lux_point_intensity(light, area))));
     }
-    return std::make_unique<SphereLight>(world_from_light, light.radius, surface_radiance(light, area));
+    return shaped(light, world_from_light,
+                  std::make_unique<SphereLight>(world_from_light, light.radius, surface_radiance(light, area)));
+}
+
+bool is_line(const LightDesc& light) { return light.radius == 0 || light.treat_as_line; }
+
+std::unique_ptr<Light> make_cylinder(const LightDesc& light, const Transform& world_from_light) {
+    const double area = CylinderLight::world_area(world_from_light, light.length, light.radius);
+    const Vec3 segment = world_from_light.vector({light.length, 0, 0});
+    if (light.length == 0) {
+        if (light.normalize) fail(light, "it has no length to normalize by");
+        return std::make_unique<DarkLight>();
+    }
+    if (is_line(light)) {
+        return shaped(light, world_from_light,
+                      std::make_unique<LineLight>(world_from_light.point({-light.length / 2, 0, 0}), segment,
+                                                  finite(light, lux_line_intensity(light, area, length(segment)))));
+    }
+    return shaped(
+        light, world_from_light,
+        std::make_unique<CylinderLight>(world_from_light, light.length, light.radius, surface_radiance(light, area)));
 }
 
 std::unique_ptr<Light> make_distant(const LightDesc& light, const Transform& world_from_light,
@@ -126,6 +169,7 @@ TriangleMesh rect_shape(const LightDesc& light, const Transform& world_from_ligh
     const auto y = static_cast<float>(light.height / 2);
     MeshDesc quad;  // counter-clockwise as seen from -Z
     quad.points = {{-x, -y, 0}, {-x, y, 0}, {x, y, 0}, {x, -y, 0}};
+    if (lux_texture(light)) quad.st = {{1, 0}, {1, 1}, {0, 1}, {0, 0}};
     quad.face_vertex_counts = {4};
     quad.face_vertex_indices = {0, 1, 2, 3};
     return make_triangle_mesh(quad, world_from_light, "light '" + light.name + "'");
@@ -145,6 +189,9 @@ std::optional<LightShape> make_light_shape(const LightDesc& light) {
         case LightKind::Sphere:
             if (is_point(light)) return {};
             return Quadric{QuadricKind::Sphere, light.radius, false, world_from_light};
+        case LightKind::Cylinder:
+            if (is_line(light) || light.length == 0) return {};
+            return Quadric{QuadricKind::Tube, light.radius, false, world_from_light, light.length / 2};
         case LightKind::Distant:
         case LightKind::Dome:
         case LightKind::Mesh:
@@ -158,11 +205,13 @@ std::unique_ptr<Light> make_light(const LightDesc& light, const SceneBounds& bou
     const Transform world_from_light = checked_transform(light);
     switch (light.kind) {
         case LightKind::Rect:
-            return make_rect(light, world_from_light);
+            return make_rect(light, world_from_light, std::move(image));
         case LightKind::Disk:
             return make_disk(light, world_from_light);
         case LightKind::Sphere:
             return make_sphere(light, world_from_light);
+        case LightKind::Cylinder:
+            return make_cylinder(light, world_from_light);
         case LightKind::Distant:
             return make_distant(light, world_from_light, bounds);
         case LightKind::Dome:
@@ -174,12 +223,13 @@ std::unique_ptr<Light> make_light(const LightDesc& light, const SceneBounds& bou
 }
 
 std::unique_ptr<Light> make_mesh_light(const LightDesc& light, std::vector<LightTriangle> triangles,
-                                       std::shared_ptr<const EmissionTexture> tint) {
-    check_attributes(light);
+                                       std::shared_ptr<const EmissionTexture> tint, std::optional<double> whole_area) {
+    const Transform world_from_light = checked_transform(light);
     const double area = MeshLight::world_area(triangles);
-    const Rgb radiance = surface_radiance(light, area);
+    const Rgb radiance = surface_radiance(light, whole_area.value_or(area));
     if (area == 0) return std::make_unique<DarkLight>();
-    return std::make_unique<MeshLight>(std::move(triangles), radiance, std::move(tint));
+    return shaped(light, world_from_light,
+                  std::make_unique<MeshLight>(std::move(triangles), radiance, std::move(tint)));
 }
 
 }  // namespace etendue

@@ -31,8 +31,9 @@ using LightShape = std::variant<TriangleMesh, Quadric>;
                                                 std::shared_ptr<const EmissionImage> image = nullptr);
 
 /// A light whose emitting geometry is a mesh of the scene. `tint` is the glow of the mesh's material for
-/// LightDesc::tinted_by_material, else null.
+/// LightDesc::tinted_by_material, else null. `whole_area` is that of all the mesh where the triangles are a part of it.
 [[nodiscard]] std::unique_ptr<Light> make_mesh_light(const LightDesc& light, std::vector<LightTriangle> triangles,
-                                                     std::shared_ptr<const EmissionTexture> tint);
+                                                     std::shared_ptr<const EmissionTexture> tint,
+                                                     std::optional<double> whole_area = {});
 
 }  // namespace etendue

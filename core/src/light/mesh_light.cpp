@@ -30,7 +30,7 @@ MeshLight::MeshLight(std::vector<LightTriangle> triangles, const Rgb& radiance,
       triangles_(std::move(triangles)),
       by_area_(areas(triangles_)),
       texture_(std::move(texture)),
-      power_(texture_ ? estimate_power() : AreaLight::power()) {}
+      mean_emitted_(texture_ ? estimate_mean() : radiance) {}
 
 double MeshLight::world_area(const std::vector<LightTriangle>& triangles) {
     double area = 0;
@@ -56,7 +56,13 @@ Rgb MeshLight::emitted(const LightPoint& y) const {
     return texture_ ? base_radiance() * texture_->at(y.st) : base_radiance();
 }
 
-Rgb MeshLight::estimate_power() const {
+double MeshLight::silhouette(const Vec3& w) const {
+    double sum = 0;
+    for (const LightTriangle& t : triangles_) sum += std::max(0.0, dot(area_vector(t), w)) / 2;
+    return sum;
+}
+
+Rgb MeshLight::estimate_mean() const {
     constexpr int kPoints = 1024;
     // Evenly spread points: the R2 sequence of Roberts (2018).
     constexpr double kAlphaX = 0.7548776662466927;
@@ -67,11 +73,10 @@ Rgb MeshLight::estimate_power() const {
         const double y = (i + 0.5) * kAlphaY;
         sum += emitted(sample_point({x - std::floor(x), y - std::floor(y)}).y);
     }
-    // Light that all points missed must not be lost: keep a little of the untextured power.
-    const Rgb untextured = AreaLight::power();
-    const double floor = 1e-3 * max_component(untextured);
-    const Rgb power = sum * (kPi * area() / kPoints);
-    return max_component(power) > 0 || floor == 0 ? power : Rgb(floor);
+    // Light that all points missed must not be lost: keep a little of the untextured.
+    const double floor = 1e-3 * max_component(base_radiance());
+    const Rgb mean = sum / kPoints;
+    return max_component(mean) > 0 || floor == 0 ? mean : Rgb(floor);
 }
 
 std::optional<LightBounds> MeshLight::bounds() const {
@@ -84,14 +89,14 @@ std::optional<LightBounds> MeshLight::bounds() const {
         }
         front += area_vector(t);
     }
-    if (!(length(front) > 0)) return bounds;
+    if (!(length(front) > 0)) return shaped_bounds(bounds);
     bounds.axis = normalize(front);
     bounds.cos_normals = 1;
     for (const LightTriangle& t : triangles_) {
         if (!(triangle_area(t) > 0)) continue;
         bounds.cos_normals = std::min(bounds.cos_normals, dot(bounds.axis, normalize(area_vector(t))));
     }
-    return bounds;
+    return shaped_bounds(bounds);
 }
 
 }  // namespace etendue

@@ -25,22 +25,23 @@ public:
 
     [[nodiscard]] static double world_area(const std::vector<LightTriangle>& triangles);
 
-    /// With a texture, an estimate of the mean over fixed points. Never zero unless the radiance is.
-    [[nodiscard]] Rgb power() const override { return power_; }
     [[nodiscard]] std::optional<LightBounds> bounds() const override;
 
 protected:
     [[nodiscard]] PointSample sample_point(const Vec2& u) const override;
     [[nodiscard]] double pdf_point(const LightPoint&) const override { return 1 / area(); }
     [[nodiscard]] Rgb emitted(const LightPoint& y) const override;
+    /// With a texture, an estimate from fixed points. Never zero unless the radiance is.
+    [[nodiscard]] Rgb mean_emitted() const override { return mean_emitted_; }
+    [[nodiscard]] double silhouette(const Vec3& w) const override;
 
 private:
-    [[nodiscard]] Rgb estimate_power() const;
+    [[nodiscard]] Rgb estimate_mean() const;
 
     std::vector<LightTriangle> triangles_;
     Distribution by_area_;
     std::shared_ptr<const EmissionTexture> texture_;
-    Rgb power_;
+    Rgb mean_emitted_;
 };
 
 }  // namespace etendue

@@ -93,13 +93,17 @@ AreaLight::PointSample SphereLight::sample_point(const Vec2& u) const {
 
 double SphereLight::pdf_point(const LightPoint& y) const { return 1 / (4 * kPi * area_scale(unit_sphere_point(y))); }
 
+double SphereLight::silhouette(const Vec3& w) const {
+    return kPi * std::abs(world_from_unit_.determinant()) * length(world_from_unit_.inverse_vector(w));
+}
+
 std::optional<LightBounds> SphereLight::bounds() const {
     const Vec3 x = world_from_unit_.vector({1, 0, 0});
     const Vec3 y = world_from_unit_.vector({0, 1, 0});
     const Vec3 z = world_from_unit_.vector({0, 0, 1});
     const Vec3 half{std::hypot(x.x, y.x, z.x), std::hypot(x.y, y.y, z.y), std::hypot(x.z, y.z, z.z)};
     const Vec3& center = world_from_unit_.translation();
-    return LightBounds{center - half, center + half};
+    return shaped_bounds({center - half, center + half});
 }
 
 }  // namespace etendue

@@ -38,12 +38,13 @@ Rgb lux_delta_distant_irradiance(const LightDesc& light) { return authored_radia
 Rgb lux_dome_radiance(const LightDesc& light) { return authored_radiance(light); }
 
 std::optional<TextureDesc> lux_texture(const LightDesc& light) {
-    if (light.kind != LightKind::Dome || light.texture_file.empty()) return {};
+    const bool dome = light.kind == LightKind::Dome;
+    if ((!dome && light.kind != LightKind::Rect) || light.texture_file.empty()) return {};
     TextureDesc texture;
     texture.name = light.name;
     texture.file = light.texture_file;
     texture.color_space = light.texture_color_space;
-    texture.wrap_s = TextureWrap::Repeat;
+    texture.wrap_s = dome ? TextureWrap::Repeat : TextureWrap::Clamp;
     texture.wrap_t = TextureWrap::Clamp;
     return texture;
 }
@@ -61,5 +62,27 @@ Rgb lux_point_intensity(const LightDesc& light, double world_area) {
     if (light.normalize || world_area == 0) return authored_radiance(light) / 4;
     return authored_radiance(light) * (world_area / 4);
 }
+
+Rgb lux_line_intensity(const LightDesc& light, double world_area, double world_length) {
+    if (light.normalize || world_area == 0) return authored_radiance(light) / (kPi * world_length);
+    return authored_radiance(light) * (world_area / (kPi * world_length));
+}
+
+Rgb lux_shaping(const ShapingDesc& shaping, double theta) {
+    const double angle = shaping.cone_angle * (kPi / 180);
+    if (theta > angle) return {};
+    double cone = 1;
+    if (const double start = angle * (1 - std::clamp(shaping.cone_softness, 0.0, 1.0)); theta > start) {
+        const double x = (theta - start) / (angle - start);
+        cone = 1 - x * x * (3 - 2 * x);
+    }
+    if (!(shaping.focus > 0)) return Rgb(cone);
+    const double f = std::pow(std::abs(std::cos(theta)), shaping.focus);
+    const auto tinted = [f](double tint) { return std::max(0.0, f + (1 - f) * tint); };
+    const Color& tint = shaping.focus_tint;
+    return Rgb{tinted(tint[0]), tinted(tint[1]), tinted(tint[2])} * cone;
+}
+
+double lux_shaping_end(const ShapingDesc& shaping) { return std::clamp(shaping.cone_angle, 0.0, 180.0) * (kPi / 180); }
 
 }  // namespace etendue

@@ -20,9 +20,10 @@ namespace etendue {
 /// Radiance, nits, of a light whose sizeFactor is `size_factor`; it is ignored unless the light is normalised.
 [[nodiscard]] Rgb lux_radiance(const LightDesc& light, double size_factor);
 
-/// sizeFactor of rect, disk, sphere and mesh: the world-space area, in stage units squared. A proposed change of
-/// UsdLux (OpenUSD PR 3587) would make it square metres: here is where to follow it. Of an ellipsoid (a sphere under a
-/// transform that is no similarity) the area is exact, not hdEmbree's p = 1.6 approximation.
+/// sizeFactor of rect, disk, sphere, cylinder (without ends) and mesh: the world-space area, in stage units squared. A
+/// proposed change of UsdLux (OpenUSD PR 3587) would make it square metres: here is where to follow it. Of an ellipsoid
+/// (a sphere under a transform that is no similarity) the area is exact, not hdEmbree's p = 1.6 approximation, and so
+/// is a cylinder's.
 [[nodiscard]] double lux_area_size_factor(double world_area);
 
 /// Half the authored full angle of a distant light, radians, clamped to [0, pi].
@@ -41,7 +42,9 @@ namespace etendue {
 /// A dome ignores `normalize`: its sizeFactor is 1. A texture multiplies its radiance.
 [[nodiscard]] Rgb lux_dome_radiance(const LightDesc& light);
 
-/// The texture that multiplies the radiance of a dome; none of other lights.
+/// The texture that multiplies the radiance of a dome or a rect; none of other lights. On a rect, its upper left corner
+/// is at (+X, +Y) and its lower right one at (-X, -Y): upright to who sees it shine. (UsdLux says "min" and "max
+/// coordinates"; hdEmbree mirrors it.)
 [[nodiscard]] std::optional<TextureDesc> lux_texture(const LightDesc& light);
 
 /// The axes of a dome's latlong texture, in the world (LatlongDomeLight). Of light space, the texture's top is +Y and
@@ -56,5 +59,22 @@ namespace etendue {
 /// - Normalised, L = intensity / A and I = intensity / 4 at any radius. A sphere of radius 0 is that limit, whether
 ///   normalised or not: un-normalised it would be dark, which no one who authored it meant.
 [[nodiscard]] Rgb lux_point_intensity(const LightDesc& light, double world_area);
+
+/// Of a cylinder light taken as a line (treatAsLine, or radius 0) the K of its radiant intensity K sin(theta) per unit
+/// of length: that of a thin tube of the same area A and radiance L, K = L A / (pi length), which is 2 r L for a circle
+/// and keeps the power. Without an area it is the limit of a normalised one, as for points.
+[[nodiscard]] Rgb lux_line_intensity(const LightDesc& light, double world_area, double world_length);
+
+/// ShapingAPI as a factor of the radiance that leaves at the angle `theta` (radians) from the light's -Z in the world:
+///
+///     focus   lerp(|cos theta|^focus, focusTint, 1), where focus > 0
+///     cone    1 - smoothstep(theta, start, angle), start = angle (1 - softness); 0 beyond the angle
+///
+/// By the absolute value, focus alone leaves light that goes backwards. Components of the tint below zero count as
+/// zero.
+[[nodiscard]] Rgb lux_shaping(const ShapingDesc& shaping, double theta);
+
+/// The angle beyond which lux_shaping is zero, radians in [0, pi].
+[[nodiscard]] double lux_shaping_end(const ShapingDesc& shaping);
 
 }  // namespace etendue

@@ -63,8 +63,7 @@ SurfaceInteraction interact(const Quadric& quadric, const Ray& ray, const AccelH
     // The float distance only says which root was hit; the point is put back on the exact surface.
     si.p = quadric.project(ray.origin + ray.direction * hit.t);
     // Its own roundings are a double's; a float holds the ray's origin only. The ground on a planet stays in touch.
-    si.p_error = quadric.parent_from_object.magnitude(Vec3(quadric.radius, quadric.radius, quadric.radius)) * 0x1p-48 +
-                 abs(si.p) * (2 * kFloatRounding);
+    si.p_error = quadric.parent_from_object.magnitude(quadric.extent()) * 0x1p-48 + abs(si.p) * (2 * kFloatRounding);
     si.n_g = quadric.normal(si.p);
     si.n_s = si.n_g;
     si.st = quadric.st(si.p);

@@ -153,15 +153,30 @@ void Scene::make_lights(const SceneDescription& description, const SceneBounds& 
         }
         PlacedShape& shape = shapes_[static_cast<std::size_t>(desc.shape)];
         const auto& mesh = std::get<TriangleMesh>(*shape.geometry);
-        std::shared_ptr<const EmissionTexture> tint;
         if (desc.tinted_by_material) {
-            tint = std::make_shared<MaterialGlow>(materials_[static_cast<std::size_t>(shape.materials[0])], textures_);
-        } else {
-            shape.materials.assign(shape.materials.size(), -1);
+            shape.lights = {add_light(make_tinted_light(desc, shape, 0))};
+            continue;
         }
-        const int index = add_light(make_mesh_light(desc, light_triangles(mesh, -1, {}), std::move(tint)));
-        shape.lights.assign(shape.materials.size(), index);
+        shape.materials.assign(shape.materials.size(), -1);
+        shape.lights.assign(shape.materials.size(),
+                            add_light(make_mesh_light(desc, light_triangles(mesh, -1, {}), {})));
     }
+    // The description's lights keep their indices: those of further slots follow.
+    for (const LightDesc& desc : description.lights) {
+        if (desc.kind != LightKind::Mesh || !desc.tinted_by_material) continue;
+        PlacedShape& shape = shapes_[static_cast<std::size_t>(desc.shape)];
+        for (std::size_t slot = 1; slot < shape.materials.size(); ++slot) {
+            shape.lights.push_back(add_light(make_tinted_light(desc, shape, slot)));
+        }
+    }
+}
+
+std::unique_ptr<Light> Scene::make_tinted_light(const LightDesc& desc, const PlacedShape& shape,
+                                                std::size_t slot) const {
+    const auto& mesh = std::get<TriangleMesh>(*shape.geometry);
+    auto glow = std::make_shared<MaterialGlow>(materials_[static_cast<std::size_t>(shape.materials[slot])], textures_);
+    return make_mesh_light(desc, light_triangles(mesh, static_cast<int>(slot), {}), std::move(glow),
+                           MeshLight::world_area(light_triangles(mesh, -1, {})));
 }
 
 std::vector<int> Scene::make_slot_lights(const PlacedShape& shape, const Transform& world_from_parent) {

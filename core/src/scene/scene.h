@@ -82,6 +82,9 @@ private:
     void build_accel();
     [[nodiscard]] SceneBounds find_bounds(const std::vector<Vec3>& lens_points) const;
     void make_lights(const SceneDescription& description, const SceneBounds& bounds);
+    /// A mesh light's part in one material slot, tinted by that slot's material.
+    [[nodiscard]] std::unique_ptr<Light> make_tinted_light(const LightDesc& desc, const PlacedShape& shape,
+                                                           std::size_t slot) const;
     void make_emissive_lights();
     std::vector<int> make_slot_lights(const PlacedShape& shape, const Transform& world_from_parent);
     int add_light(std::unique_ptr<Light> light);

@@ -15,6 +15,7 @@ _KINDS = {
     "RectLight": _core.LightKind.Rect,
     "DiskLight": _core.LightKind.Disk,
     "SphereLight": _core.LightKind.Sphere,
+    "CylinderLight": _core.LightKind.Cylinder,
     "DistantLight": _core.LightKind.Distant,
     "DomeLight": _core.LightKind.Dome,
     "DomeLight_1": _core.LightKind.Dome,
@@ -59,6 +60,8 @@ def read_light(context: ReadContext, prim: Usd.Prim) -> _core.LightDesc | None:
         _set_size(context, prim, desc)
     desc.name = str(prim.GetPath())
     _set_emission(context, prim, desc)
+    if prim.HasAPI(UsdLux.ShapingAPI):
+        _set_shaping(context, prim, desc)
     _warn_unsupported(context, prim)
     return desc
 
@@ -71,11 +74,16 @@ def _set_size(context: ReadContext, prim: Usd.Prim, desc: _core.LightDesc) -> No
     if desc.kind == _core.LightKind.Rect:
         desc.width = _value(context, prim, "inputs:width")
         desc.height = _value(context, prim, "inputs:height")
+        _set_texture(context, prim, desc)
     elif desc.kind == _core.LightKind.Disk:
         desc.radius = _value(context, prim, "inputs:radius")
     elif desc.kind == _core.LightKind.Sphere:
         desc.radius = _value(context, prim, "inputs:radius")
         desc.treat_as_point = bool(_value(context, prim, "treatAsPoint"))
+    elif desc.kind == _core.LightKind.Cylinder:
+        desc.length = _value(context, prim, "inputs:length")
+        desc.radius = _value(context, prim, "inputs:radius")
+        desc.treat_as_line = bool(_value(context, prim, "treatAsLine"))
     elif desc.kind == _core.LightKind.Distant:
         desc.angle = _value(context, prim, "inputs:angle")
     elif desc.kind == _core.LightKind.Dome:
@@ -130,6 +138,29 @@ def _set_emission(context: ReadContext, prim: Usd.Prim, desc: _core.LightDesc) -
         desc.color_temperature_rgb = tuple(UsdLux.BlackbodyTemperatureAsRgb(kelvin))
 
 
+def _set_shaping(context: ReadContext, prim: Usd.Prim, desc: _core.LightDesc) -> None:
+    shaping = UsdLux.ShapingAPI(prim)
+    if shaping.GetShapingIesFileAttr().HasAuthoredValue():
+        context.report.warn(
+            "light ies", prim.GetPath(), "IES profiles are not supported; the light does without"
+        )
+    if desc.kind in (_core.LightKind.Dome, _core.LightKind.Distant):
+        if _departs(context, prim, "inputs:shaping:"):
+            context.report.warn(
+                "light shaping",
+                prim.GetPath(),
+                f"a {prim.GetTypeName()} has no shape; its ShapingAPI is ignored",
+            )
+        return
+    tint = shaping.GetShapingFocusTintAttr()
+    desc.shaping = _core.ShapingDesc(
+        focus=shaping.GetShapingFocusAttr().Get(context.time),
+        focus_tint=to_rendering_space(context, tint, tint.Get(context.time)),
+        cone_angle=shaping.GetShapingConeAngleAttr().Get(context.time),
+        cone_softness=shaping.GetShapingConeSoftnessAttr().Get(context.time),
+    )
+
+
 # ----------------------------------------------------------------------------------- unsupported
 
 
@@ -144,17 +175,10 @@ def _warn_unsupported(context: ReadContext, prim: Usd.Prim) -> None:
     ):
         if attribute.Get(context.time) != 1.0:
             warn(name, f"inputs:{name} is not physical and not supported; 1 is used")
-    if (
-        prim.GetTypeName() == "RectLight"
-        and prim.GetAttribute("inputs:texture:file").HasAuthoredValue()
-    ):
-        warn("rect texture", "light textures are not supported; the plain light is used")
     if light.GetFiltersRel().GetTargets():
         warn("filters", "light filters are not supported; the unfiltered light is used")
     if prim.GetRelationship("portals").GetTargets():
         warn("portals", "dome portals are not supported; the whole dome is used")
-    if prim.HasAPI(UsdLux.ShapingAPI):
-        _warn_shaping(context, prim)
     if prim.HasAPI(UsdLux.ShadowAPI) and _departs(context, prim, "inputs:shadow:"):
         warn("shadow", "ShadowAPI is not physical and not supported; shadows are as they are")
     for collection in (light.GetLightLinkCollectionAPI(), light.GetShadowLinkCollectionAPI()):
@@ -163,28 +187,6 @@ def _warn_unsupported(context: ReadContext, prim: Usd.Prim) -> None:
                 f"linking {collection.GetName()}",
                 f"{collection.GetName()} is not supported; the light reaches everything",
             )
-
-
-def _warn_shaping(context: ReadContext, prim: Usd.Prim) -> None:
-    shaping = UsdLux.ShapingAPI(prim)
-    ies = shaping.GetShapingIesFileAttr()
-    if ies.HasAuthoredValue():
-        context.report.warn(
-            "light ies", prim.GetPath(), "IES profiles are not supported; the light is unshaped"
-        )
-    angle = shaping.GetShapingConeAngleAttr().Get(context.time)
-    # A cone of 90 degrees leaves a one-sided light as it is.
-    one_sided = prim.GetTypeName() in ("RectLight", "DiskLight")
-    if (
-        shaping.GetShapingFocusAttr().Get(context.time) > 0
-        or angle < (90.0 if one_sided else 180.0)
-        or (angle < 180.0 and shaping.GetShapingConeSoftnessAttr().Get(context.time) > 0)
-    ):
-        context.report.warn(
-            "light shaping",
-            prim.GetPath(),
-            "ShapingAPI (focus and cone) is not supported; the light is unshaped",
-        )
 
 
 def _departs(context: ReadContext, prim: Usd.Prim, prefix: str) -> bool:

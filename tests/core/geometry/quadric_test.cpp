@@ -1,5 +1,7 @@
 #include "geometry/quadric.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/math/random_math.h"
@@ -36,6 +38,52 @@ TEST(Quadric, SphereHitsOnItsSurface) {
         // From inside only the far root lies ahead.
         EXPECT_NEAR(*q.intersect(target, d, 0, kInfinity), *far - length(target - origin), 1e-10);
     }
+}
+
+TEST(Quadric, TubeIsOpenAtItsEnds) {
+    const Quadric tube{QuadricKind::Tube, 0.5, false, {}, 2};
+    EXPECT_FALSE(tube.intersect({-9, 0.1, 0.2}, {1, 0, 0}, 0, kInfinity));  // right through
+    EXPECT_NEAR(*tube.intersect({0, 3, 0}, {0, -1, 0}, 0, kInfinity), 2.5, 1e-14);
+    EXPECT_NEAR(*tube.intersect({0, 0, 0}, {0, -1, 0}, 0, kInfinity), 0.5, 1e-14);  // from within
+    EXPECT_FALSE(tube.intersect({2.01, 3, 0}, {0, -1, 0}, 0, kInfinity));
+    // In by an end, out through the wall: the first root lies beyond the end.
+    const Vec3 d = normalize(Vec3{1, 0.25, 0});
+    const auto t = tube.intersect({-3, -0.4, 0}, d, 0, kInfinity);
+    ASSERT_TRUE(t);
+    EXPECT_NEAR((Vec3{-3, -0.4, 0} + d * *t).y, 0.5, 1e-14);
+}
+
+TEST(Quadric, TubeHitsOnItsSurface) {
+    Rng rng(8, 0, 0);
+    int hits = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const Quadric q{QuadricKind::Tube, 0.5 + rng.next_1d(), false,
+                        Transform(random_affine(rng, 1, random_point(rng, 3), i % 2 == 1)), 0.3 + rng.next_1d()};
+        const Vec3 target = q.parent_from_object.point({(2 * rng.next_1d() - 1) * q.half_length, 0, 0});
+        const Vec3 origin = q.parent_from_object.translation() + random_direction(rng) * 20;
+        const Vec3 d = normalize(target - origin);
+        const auto t = q.intersect(origin, d, 0, kInfinity);
+        if (!t) continue;  // through an end and out by the other
+        ++hits;
+        const Vec3 p = origin + d * *t;
+        const Vec3 o = q.parent_from_object.inverse_point(p);
+        EXPECT_NEAR(std::hypot(o.y, o.z), q.radius, 1e-11);
+        EXPECT_LE(std::abs(o.x), q.half_length);
+        EXPECT_LT(length(q.project(p) - p), 1e-10);
+        EXPECT_NEAR(length(q.normal(p)), 1, 1e-12);
+        const Vec3 along = q.parent_from_object.vector({1, 0, 0});
+        const Vec3 around = q.parent_from_object.vector({0, -o.z, o.y});
+        EXPECT_NEAR(dot(q.normal(p), along), 0, 1e-12);
+        EXPECT_NEAR(dot(q.normal(p), around), 0, 1e-11);
+        const Quadric::Bounds b = q.bounds();
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_GE(p[axis], b.lower[axis] - 1e-10);
+            EXPECT_LE(p[axis], b.upper[axis] + 1e-10);
+        }
+        const Vec2 st = q.st(p);
+        EXPECT_NEAR(st.y, o.x / (2 * q.half_length) + 0.5, 1e-10);
+    }
+    EXPECT_GT(hits, 500);
 }
 
 TEST(Quadric, SphereKeepsItsDigitsFarAwayAndTiny) {

@@ -44,11 +44,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"layered_box", layered_box, false}, Case{"glass_box", glass_box, false},
                     Case{"rough_glass_box", rough_glass_box, true}, Case{"mirror_box", mirror_box, false},
                     Case{"smooth_normals_box", smooth_normals_box, true}, Case{"sky", sky, false},
-                    Case{"image_sky", image_sky, true}, Case{"many_lights", many_lights, true},
-                    Case{"aimed_lights", aimed_lights, true}, Case{"light_crowd", light_crowd, true},
-                    Case{"delta_lights", delta_lights, true}, Case{"lens_box", lens_box, false},
-                    Case{"orthographic_box", orthographic_box, true}, Case{"orthographic_sky", orthographic_sky, false},
-                    Case{"instanced_box", instanced_box, true}, Case{"coordinate_planes", coordinate_planes, true}),
+                    Case{"image_sky", image_sky, true}, Case{"shaped_lights", shaped_lights, true},
+                    Case{"many_lights", many_lights, true}, Case{"aimed_lights", aimed_lights, true},
+                    Case{"light_crowd", light_crowd, true}, Case{"delta_lights", delta_lights, true},
+                    Case{"lens_box", lens_box, false}, Case{"orthographic_box", orthographic_box, true},
+                    Case{"orthographic_sky", orthographic_sky, false}, Case{"instanced_box", instanced_box, true},
+                    Case{"coordinate_planes", coordinate_planes, true}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

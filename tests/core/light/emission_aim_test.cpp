@@ -105,6 +105,32 @@ TEST_P(AimedLights, DensityIntegratesToFrequency) {
     }
 }
 
+/// Of beams, some of whose own samples carry nothing, and which may shine past all targets.
+class AimedBeams : public AimedLights {};
+
+TEST_P(AimedBeams, WeightsAreEmissionOverDensity) {
+    Rng rng(83, 0, 0);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec2 u_point = rng.next_2d();
+        const EmissionSample s = aim.sample(light, u_point, rng.next_2d());
+        if (is_black(s.weight)) continue;
+        const EmissionPdf pdf = aim.pdf(light, s.y, s.direction, s.origin + s.direction * 3.0);
+        ASSERT_TRUE(close(s.pdf.pdf_dir, pdf.pdf_dir));
+        ASSERT_TRUE(close(s.weight.g, light.emission(s.y, s.direction).g / (pdf.pdf_point * pdf.pdf_dir)));
+    }
+}
+
+TEST_P(AimedBeams, MeanIsThePower) {
+    Rng rng(84, 0, 0);
+    test::Estimate green;
+    for (int i = 0; i < test::samples(60'000); ++i) {
+        const Vec2 u_point = rng.next_2d();
+        green.add(aim.sample(light, u_point, rng.next_2d()).weight.g);
+    }
+    EXPECT_TRUE(test::agrees(green, light.power().g, 0.012));
+}
+
+INSTANTIATE_TEST_SUITE_P(Beams, AimedBeams, testing::ValuesIn(test::shaped_lights()), test::case_name);
 INSTANTIATE_TEST_SUITE_P(Lights, AimedLights, testing::ValuesIn(test::all_lights()), test::case_name);
 
 TEST(EmissionAim, DirectionsFromASurfaceAndAPoint) {

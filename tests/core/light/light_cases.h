@@ -50,6 +50,7 @@ inline LightDesc light_desc(LightKind kind, const Matrix4& world_from_light = {}
     light.color = {0.9, 0.5, 0.25};
     light.width = 1.5;
     light.height = 0.8;
+    light.length = 1.1;
     light.radius = 0.6;
     return light;
 }
@@ -83,6 +84,7 @@ struct LightCase {
     std::shared_ptr<const Light> light;
     std::vector<LightTriangle> triangles;
     std::optional<Quadric> quadric;
+    Vec3 axis{0, 0, -1};  ///< of light space, in the world; not unit
 };
 
 /// How a failing test shows its case.
@@ -96,6 +98,7 @@ inline std::string case_name(const testing::TestParamInfo<LightCase>& param) {
 
 inline LightCase light_case(std::string name, const LightDesc& desc) {
     LightCase result{std::move(name), make_light(desc, kBounds), {}, {}};
+    result.axis = Transform(desc.world_from_light).vector({0, 0, -1});
     const std::optional<LightShape> shape = make_light_shape(desc);
     if (!shape) return result;
     if (const auto* quadric = std::get_if<Quadric>(&*shape)) {
@@ -119,8 +122,9 @@ inline LightCase mesh_case(std::string name, std::shared_ptr<const EmissionTextu
 
 inline std::vector<LightCase> surface_lights() {
     std::vector<LightCase> cases;
-    for (const auto& [kind, name] : {std::pair{LightKind::Rect, "Rect"}, std::pair{LightKind::Disk, "Disk"},
-                                     std::pair{LightKind::Sphere, "Sphere"}}) {
+    for (const auto& [kind, name] :
+         {std::pair{LightKind::Rect, "Rect"}, std::pair{LightKind::Disk, "Disk"},
+          std::pair{LightKind::Sphere, "Sphere"}, std::pair{LightKind::Cylinder, "Cylinder"}}) {
         cases.push_back(light_case(name, light_desc(kind)));
         cases.push_back(light_case(name + std::string("Rotated"), light_desc(kind, rotated(1.5, {0.3, 0.2, -0.4}))));
         cases.push_back(light_case(name + std::string("General"), light_desc(kind, general())));
@@ -153,13 +157,66 @@ inline std::vector<LightCase> delta_lights() {
     zero.radius = 0;
     LightDesc sun = light_desc(LightKind::Distant, rotated(2));
     sun.angle = 0;
-    return {light_case("Point", point), light_case("PointOfNoRadius", zero), light_case("DistantDelta", sun)};
+    LightDesc line = light_desc(LightKind::Cylinder, rotated(1.5, {0.3, 0.2, -0.4}));
+    line.treat_as_line = true;
+    return {light_case("Point", point), light_case("PointOfNoRadius", zero), light_case("DistantDelta", sun),
+            light_case("Line", line)};
+}
+
+inline LightDesc shaped(LightDesc desc, double cone_angle, double softness, double focus) {
+    desc.shaping = ShapingDesc{focus, {0, 0.3, 0.1}, cone_angle, softness};
+    return desc;
+}
+
+/// A texture on a rect, upright as the light's own.
+inline LightCase image_rect(const std::string& name, const LightDesc& desc) {
+    LightCase result = light_case(name, desc);
+    result.light = make_light(desc, kBounds, std::make_shared<MemoryImage>(mottled_image(8, 4, false)));
+    return result;
+}
+
+/// Beams narrow and wide, with soft and hard edges, about the normal and not.
+inline std::vector<LightCase> shaped_lights() {
+    const Matrix4 turned = rotated(1.5, {0.3, 0.2, -0.4});
+    std::vector<LightCase> cases;
+    for (const auto& [kind, name] :
+         {std::pair{LightKind::Rect, "Rect"}, std::pair{LightKind::Disk, "Disk"},
+          std::pair{LightKind::Sphere, "Sphere"}, std::pair{LightKind::Cylinder, "Cylinder"}}) {
+        const std::string title = name;
+        cases.push_back(light_case(title + "Spot", shaped(light_desc(kind, turned), 5, 0, 0)));
+        cases.push_back(light_case(title + "Soft", shaped(light_desc(kind), 50, 0.6, 3)));
+        cases.push_back(light_case(title + "Focus", shaped(light_desc(kind, turned), 180, 0, 12)));
+        cases.push_back(light_case(title + "Sheared", shaped(light_desc(kind, general(-1)), 120, 0.5, 1)));
+    }
+    LightDesc point = light_desc(LightKind::Sphere, turned);
+    point.treat_as_point = true;
+    LightDesc line = light_desc(LightKind::Cylinder, turned);
+    line.treat_as_line = true;
+    for (const double angle : {5.0, 60.0, 150.0}) {
+        const std::string title = std::to_string(static_cast<int>(angle));
+        cases.push_back(light_case("Point" + title, shaped(point, angle, 0.3, 0)));
+        cases.push_back(light_case("Line" + title, shaped(line, angle, 0.3, 2)));
+    }
+    cases.push_back(image_rect("RectImageSpot", shaped(light_desc(LightKind::Rect, turned), 20, 0.2, 0)));
+    LightCase mesh = mesh_case("MeshSpot", std::make_shared<RampTexture>());
+    mesh.light =
+        make_mesh_light(shaped(light_desc(LightKind::Mesh), 70, 0, 0), tetrahedron(), std::make_shared<RampTexture>());
+    cases.push_back(mesh);
+    return cases;
 }
 
 inline std::vector<LightCase> all_lights() {
     std::vector<LightCase> cases = surface_lights();
     for (const auto& other : {infinite_lights(), delta_lights()}) cases.insert(cases.end(), other.begin(), other.end());
     cases.push_back({"DomeImage", image_dome(), {}, {}});
+    cases.push_back(image_rect("RectImage", light_desc(LightKind::Rect, rotated(1.5, {0.3, 0.2, -0.4}))));
+    return cases;
+}
+
+/// The beams too, of whose samples some carry nothing.
+inline std::vector<LightCase> all_lights_and_beams() {
+    std::vector<LightCase> cases = all_lights();
+    for (const LightCase& beam : shaped_lights()) cases.push_back(beam);
     return cases;
 }
 

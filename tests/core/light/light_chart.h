@@ -14,7 +14,7 @@ namespace etendue::test {
 
 /// Flattens a light's surface: x, y of a plane against points, with the world area per area of the plane. Densities on
 /// it have no jump inside a cell. Triangles: [t, t + 1] x [0, 1] for triangle t. Disk: r^2, phi. Sphere: 1 -
-/// cos(theta), phi about an axis of light space.
+/// cos(theta), phi about an axis of light space. Tube: height, angle from where a receiver begins to see it.
 class LightChart {
 public:
     /// The surface as sample_emission takes it.
@@ -23,8 +23,15 @@ public:
     }
     /// The surface with an edge of the cells where the part that `receiver` sees ends.
     LightChart(const LightCase& light_case, const Vec3& receiver) : LightChart(light_case) {
-        if (!is_sphere()) return;
+        if (!case_.quadric) return;
         const Vec3 seen = case_.quadric->parent_from_object.inverse_point(receiver) / case_.quadric->radius;
+        if (is_tube()) {
+            const double half_arc = std::acos(1 / std::hypot(seen.y, seen.z));
+            first_phi_ = std::atan2(seen.z, seen.y) - half_arc;
+            arcs_ = even_edges(0, 2 * half_arc, 11);
+            arcs_.push_back(2 * kPi);
+        }
+        if (!is_sphere()) return;
         std::vector<double> edges = even_edges(0, 1 - 1 / length(seen), 12);
         edges.push_back(2);
         set_rings(normalize(seen), edges);
@@ -32,6 +39,7 @@ public:
 
     [[nodiscard]] Grid grid() const {
         if (is_sphere()) return {rings_, even_edges(0, 2 * kPi, 12)};
+        if (is_tube()) return {even_edges(0, 1, 12), arcs_};
         if (case_.quadric) return {even_edges(0, 1, 12), even_edges(0, 2 * kPi, 12)};
         const auto count = static_cast<int>(case_.triangles.size());
         return {even_edges(0, count, 8 * count), even_edges(0, 1, 8)};
@@ -40,6 +48,11 @@ public:
     [[nodiscard]] Vec2 flat(const Vec3& p) const {
         if (!case_.quadric) return flat_triangle(p);
         const Vec3 o = case_.quadric->parent_from_object.inverse_point(p) / case_.quadric->radius;
+        if (is_tube()) {
+            const double turned = std::atan2(o.z, o.y) - first_phi_;
+            return {std::clamp(o.x * case_.quadric->radius / (2 * case_.quadric->half_length) + 0.5, 0.0, 1.0),
+                    turned - 2 * kPi * std::floor(turned / (2 * kPi))};
+        }
         const Vec3 local = is_sphere() ? axis_.to_local(normalize(o)) : o;
         const double phi = std::atan2(local.y, local.x);
         const double x = is_sphere() ? 1 - local.z : std::min(1.0, o.x * o.x + o.y * o.y);
@@ -52,11 +65,13 @@ public:
     };
     [[nodiscard]] Place place(const Vec2& flat) const {
         if (is_sphere()) return place_sphere(flat);
+        if (is_tube()) return place_tube(flat);
         return case_.quadric ? place_disk(flat) : place_triangle(flat);
     }
 
 private:
     [[nodiscard]] bool is_sphere() const { return case_.quadric && case_.quadric->kind == QuadricKind::Sphere; }
+    [[nodiscard]] bool is_tube() const { return case_.quadric && case_.quadric->kind == QuadricKind::Tube; }
     void set_rings(const Vec3& axis, std::vector<double> rings) {
         axis_ = Frame::from_normal(axis);
         rings_ = std::move(rings);
@@ -71,6 +86,18 @@ private:
         place.y.p = t.point(n * radius);
         place.y.n = normalize(t.normal(n));
         place.area = radius * radius * std::abs(t.determinant()) * length(t.normal(n));
+        return place;
+    }
+    [[nodiscard]] Place place_tube(const Vec2& flat) const {
+        const Quadric& q = *case_.quadric;
+        const double length_along = 2 * q.half_length;
+        const double phi = flat.y + first_phi_;
+        const Vec3 n{0, std::cos(phi), std::sin(phi)};
+        const Transform& t = q.parent_from_object;
+        Place place;
+        place.y.p = t.point({length_along * (flat.x - 0.5), q.radius * n.y, q.radius * n.z});
+        place.y.n = normalize(t.normal(n));
+        place.area = length_along * q.radius * std::abs(t.determinant()) * length(t.normal(n));
         return place;
     }
     [[nodiscard]] Place place_disk(const Vec2& flat) const {
@@ -117,6 +144,8 @@ private:
     const LightCase& case_;
     Frame axis_ = Frame::from_normal({0, 0, 1});
     std::vector<double> rings_;
+    double first_phi_ = 0;
+    std::vector<double> arcs_ = even_edges(0, 2 * kPi, 12);
 };
 
 }  // namespace etendue::test

@@ -165,6 +165,55 @@ TEST(Irradiance, FarEllipsoidGivesItsProjectedArea) {
     EXPECT_TRUE(agrees(irradiance(*light, {0, 0, d}, {0, 0, -1}), kPi * 2 * 0.3 / (d * d)));
 }
 
+/// E / (pi L) of an element whose normal meets the axis of a tube at its end, at a right angle (Hamilton and Morgan
+/// 1952); `length` and `distance` (from the axis) in radii.
+double tube_form_factor(double length, double distance) {
+    const double x = (1 + distance) * (1 + distance) + length * length;
+    const double y = (1 - distance) * (1 - distance) + length * length;
+    return std::atan(length / std::sqrt(distance * distance - 1)) / (kPi * distance) +
+           length / kPi *
+               ((x - 2 * distance) / (distance * std::sqrt(x * y)) *
+                    std::atan(std::sqrt(x * (distance - 1) / (y * (distance + 1)))) -
+                std::atan(std::sqrt((distance - 1) / (distance + 1))) / distance);
+}
+
+TEST(Irradiance, CylinderAtAPoint) {
+    for (const double d : {1.5, 4.0, 40.0}) {
+        const auto light = make_light(unit(LightKind::Cylinder, test::scaling(6, -2, 2)), test::kBounds);  // radius 1
+        const double expected = kPi * 2 * tube_form_factor(3, d);
+        EXPECT_TRUE(agrees(irradiance(*light, {0, 0, d}, {0, 0, -1}), expected, 0.006)) << d;
+    }
+}
+
+TEST(Irradiance, FarCylinderGivesItsProjectedArea) {
+    const auto light = make_light(unit(LightKind::Cylinder, test::scaling(2, 3, 5)), test::kBounds);
+    const double d = 1e6;
+    // Along z one sees the length 2 times the width 3.
+    EXPECT_TRUE(agrees(irradiance(*light, {0, 0, d}, {0, 0, -1}), 6 / (d * d)));
+}
+
+TEST(Irradiance, CylinderShinesOutwardOnly) {
+    const auto light = make_light(unit(LightKind::Cylinder), test::kBounds);
+    for (const Vec3& inside : {Vec3{0, 0, 0}, Vec3{0.2, 0.3, 0.1}, Vec3{3, 0, 0}}) {  // the last before an open end
+        EXPECT_FALSE(light->sample_direct(inside, {0.3, 0.6}));
+    }
+}
+
+TEST(Irradiance, LineAtAPoint) {
+    LightDesc desc = unit(LightKind::Cylinder, test::scaling(3, 1, 1));
+    desc.treat_as_line = true;  // K = 2 r L = 1
+    const auto light = make_light(desc, test::kBounds);
+    const double h = 1.5;
+    for (const double d : {0.4, 2.0}) {
+        const double expected =
+            h / (d * d + h * h) + std::atan(h / d) / d;  // K d^2 times the integral of 1 / (d^2 + x^2)^2
+        EXPECT_TRUE(agrees(irradiance(*light, {0, d, 0}, {0, -1, 0}), expected, 0.006)) << d;
+    }
+    const Patch patch{{0, 0, -1}, {0, 0, 1}, 1.5};
+    EXPECT_TRUE(agree(patch_flux_by_direct_light(*light, patch, 200'000),
+                      patch_flux_by_particles(*light, patch, 500'000), 0.006));
+}
+
 TEST(Irradiance, PointOntoACoaxialDisk) {
     LightDesc desc = unit(LightKind::Sphere);
     desc.treat_as_point = true;
@@ -245,6 +294,19 @@ TEST_P(BothWays, DirectLightAndParticlesAgree) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lights, BothWays, testing::ValuesIn(test::surface_lights()), test::case_name);
+
+class BeamBothWays : public testing::TestWithParam<test::LightCase> {};
+
+/// Through a disk across the beam, which the narrow ones fall into wholly.
+TEST_P(BeamBothWays, DirectLightAndParticlesAgree) {
+    const Vec3 axis = normalize(GetParam().axis);
+    const Vec3 center = GetParam().light->bounds()->center();
+    const Patch patch{center + axis * 3.0, -axis, 1.2};
+    EXPECT_TRUE(agree(patch_flux_by_direct_light(*GetParam().light, patch, 100'000),
+                      patch_flux_by_particles(*GetParam().light, patch, 200'000), 0.02));
+}
+
+INSTANTIATE_TEST_SUITE_P(Beams, BeamBothWays, testing::ValuesIn(test::shaped_lights()), test::case_name);
 
 }  // namespace
 }  // namespace etendue

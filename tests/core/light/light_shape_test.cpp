@@ -55,8 +55,8 @@ TEST(LightShape, RectIsTheSampledParallelogram) {
     }
 }
 
-TEST(LightShape, DiskAndSphereAreTheSampledQuadrics) {
-    for (const LightKind kind : {LightKind::Disk, LightKind::Sphere}) {
+TEST(LightShape, CurvedLightsAreTheSampledQuadrics) {
+    for (const LightKind kind : {LightKind::Disk, LightKind::Sphere, LightKind::Cylinder}) {
         for (const Matrix4& m : {Matrix4{}, test::scaling(-2, 1, 1), test::general(), test::general(-1)}) {
             const LightDesc desc = test::light_desc(kind, m);
             const auto shape = make_light_shape(desc);
@@ -81,6 +81,12 @@ TEST(LightShape, NoneForPointsInfiniteAndMeshLights) {
     point.treat_as_point = false;
     point.radius = 0;
     EXPECT_FALSE(make_light_shape(point));
+    LightDesc line = test::light_desc(LightKind::Cylinder);
+    line.treat_as_line = true;
+    EXPECT_FALSE(make_light_shape(line));
+    line.treat_as_line = false;
+    line.radius = 0;
+    EXPECT_FALSE(make_light_shape(line));
     for (const LightKind kind : {LightKind::Distant, LightKind::Dome, LightKind::Mesh}) {
         EXPECT_FALSE(make_light_shape(test::light_desc(kind)));
     }

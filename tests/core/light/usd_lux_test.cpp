@@ -99,6 +99,37 @@ TEST(UsdLux, NormalizeOfMeshDistantAndDome) {
     EXPECT_EQ(emitted(dome), 1);
 }
 
+TEST(UsdLux, NormalizeOfCylinderIsItsLateralArea) {
+    // The second: an ellipse with half-axes 1 and 0.5, whose perimeter is 4 E(sqrt(3)/2).
+    for (const auto& [m, area] :
+         {std::pair{test::rotated(2), 8 * kPi * 0.5}, std::pair{test::scaling(3, 2, 1), 3 * 4.844224110273838},
+          std::pair{test::scaling(-3, 1, 1), 3 * kPi}}) {
+        LightDesc light = plain(LightKind::Cylinder, m);
+        light.intensity = 5;
+        EXPECT_NEAR(emitted(light), 5, 1e-12);
+        light.normalize = true;
+        EXPECT_NEAR(emitted(light), 5 / area, 1e-11);
+        EXPECT_NEAR(make_light(light, test::kBounds)->power().g, 5 * kPi, 1e-10);
+    }
+}
+
+TEST(UsdLux, LineLightsKeepThePower) {
+    LightDesc light = plain(LightKind::Cylinder, test::rotated(2));
+    light.intensity = 3;
+    const double tube = make_light(light, test::kBounds)->power().g;
+    light.treat_as_line = true;
+    EXPECT_NEAR(make_light(light, test::kBounds)->power().g, tube, 1e-11);
+    light.normalize = true;
+    EXPECT_NEAR(make_light(light, test::kBounds)->power().g, 3 * kPi, 1e-11);
+    light.treat_as_line = false;
+    light.radius = 0;
+    EXPECT_NEAR(make_light(light, test::kBounds)->power().g, 3 * kPi, 1e-11);
+    light.length = 0;
+    EXPECT_THROW((void)make_light(light, test::kBounds), SceneError);
+    light.normalize = false;
+    EXPECT_TRUE(is_black(make_light(light, test::kBounds)->power()));
+}
+
 TEST(UsdLux, PointLightsKeepTheFarField) {
     LightDesc light = plain(LightKind::Sphere, test::rotated(2));
     light.intensity = 3;
@@ -147,6 +178,9 @@ TEST(UsdLux, ErrorsNameTheLight) {
     };
     expect_error(broken([](LightDesc& l) { l.radius = -1; }), "radius");
     expect_error(broken([](LightDesc& l) { l.width = kNotANumber; }), "width");
+    expect_error(broken([](LightDesc& l) { l.length = -1; }), "length");
+    expect_error(broken([](LightDesc& l) { l.shaping = ShapingDesc{kNotANumber}; }), "focus");
+    expect_error(broken([](LightDesc& l) { l.shaping = ShapingDesc{0, {}, kInfinity}; }), "cone angle");
     expect_error(broken([](LightDesc& l) { l.height = kInfinity; }), "height");
     expect_error(broken([](LightDesc& l) { l.intensity = -1; }), "intensity");
     expect_error(broken([](LightDesc& l) { l.exposure = kNotANumber; }), "exposure");

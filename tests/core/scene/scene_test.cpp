@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include <array>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -167,6 +168,36 @@ TEST(Scene, MeshLightsTakeTheirShapeOver) {
         EXPECT_EQ(radiance(scene, si, {0, 0, 1}), tinted ? Rgb(2, 1, 0) : Rgb(4));
         EXPECT_EQ(Scene::scatters(si), tinted);  // else the light hides the material
     }
+}
+
+/// Each slot of a tinted mesh light glows as its own material does; all of the mesh counts for normalising.
+TEST(Scene, MeshLightsAreTintedSlotBySlot) {
+    SceneBuilder b;
+    const int red = b.material(DiffuseMaterial{}, {2, 0, 0});
+    const int black = b.diffuse(0.5);
+    const int green = b.material(DiffuseMaterial{}, {0, 3, 0});
+    const int shape = b.shape(squares_in_a_row({0, 1, 2, 0}), red);
+    b.scene().shapes[static_cast<std::size_t>(shape)].materials = {red, black, green};
+    LightDesc light;
+    light.kind = LightKind::Mesh;
+    light.shape = shape;
+    light.tinted_by_material = true;
+    light.normalize = true;
+    light.intensity = 20;
+    b.light(light);
+    b.light(point_light({0, 0, 5}, 1));  // keeps its index
+    const Scene scene(b.scene(), {});
+    EXPECT_TRUE(scene.light(1).delta());
+    const std::array<Rgb, 4> expected{Rgb(10, 0, 0), Rgb(), Rgb(0, 15, 0), Rgb(10, 0, 0)};  // 20 over the area of 4
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto si = look_down(scene, static_cast<double>(i) + 0.5, 0.5);
+        ASSERT_TRUE(si && si->light >= 0);
+        const LightPoint y{si->p, si->n_g, si->st, si->p_error};
+        EXPECT_EQ(scene.light(si->light).radiance(y, {0, 0, 1}), expected[i]) << i;
+    }
+    const auto of = [&](double x) -> const Light& { return scene.light(look_down(scene, x, 0.5)->light); };
+    EXPECT_NEAR(of(0.5).power().r, 20 * kPi, 1e-12);  // both its squares
+    EXPECT_NEAR(of(2.5).power().g, 15 * kPi, 1e-12);
 }
 
 TEST(Scene, LightShapesAbsorb) {
