@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import signal
+from collections.abc import Iterator
+
 import pytest
 
 from support.stage_builder import StageBuilder
@@ -11,3 +14,12 @@ from support.stage_builder import StageBuilder
 def build() -> StageBuilder:
     """An empty stage to build on."""
     return StageBuilder()
+
+
+@pytest.fixture
+def ctrl_c_interrupts() -> Iterator[None]:
+    """A shell that starts the tests in the background has SIGINT ignored, by them and by whatever
+    they start."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)

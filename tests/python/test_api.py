@@ -366,6 +366,7 @@ def test_progress_callback_that_fails(stage: etendue.Stage) -> None:
         stage.render(resolution=(16, 12), spp=1_000_000, progress=fail)
 
 
+@pytest.mark.usefixtures("ctrl_c_interrupts")
 def test_ctrl_c_keeps_the_image(stage: etendue.Stage) -> None:
     def interrupt(progress: etendue.RenderProgress) -> None:
         if progress.passes_done == 3:

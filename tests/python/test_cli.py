@@ -124,6 +124,7 @@ def test_warnings_are_lines(
     )
 
 
+@pytest.mark.usefixtures("ctrl_c_interrupts")
 def test_ctrl_c_writes_what_there_is(file: Path, tmp_path: Path) -> None:
     out = tmp_path / "a.exr"
     with subprocess.Popen(
