@@ -82,21 +82,27 @@ class Session:
 
         `poll` is called about ten times a second, and at the end, from the calling thread.
         """
-        self.start()
         try:
+            self.start()  # in here: Ctrl-C may come before it has returned
             while not self.wait(_POLL):
                 if poll:
                     poll(self.progress)
             if poll:
                 poll(self.progress)
+            return self.snapshot()
         except KeyboardInterrupt:
-            self.cancel()
-            self.wait()
-            raise Interrupted(self.snapshot()) from None
+            raise Interrupted(self._wind_up()) from None
         except BaseException:
             self.cancel()
             raise
-        return self.snapshot()
+
+    def _wind_up(self) -> Image:
+        """Cancels and returns what there is; a Ctrl-C more does not lose it."""
+        while True:
+            with contextlib.suppress(KeyboardInterrupt):
+                self.cancel()
+                self.wait()
+                return self.snapshot()
 
     @property
     def pixels(self) -> int:

@@ -383,15 +383,40 @@ def test_progress_callback_that_fails(stage: etendue.Stage) -> None:
 
 @pytest.mark.usefixtures("ctrl_c_interrupts")
 def test_ctrl_c_keeps_the_image(stage: etendue.Stage) -> None:
+    pressed = threading.Event()
+
     def interrupt(progress: etendue.RenderProgress) -> None:
-        if progress.passes_done == 3:
+        if progress.passes_done >= 3 and not pressed.is_set():
+            pressed.set()
             os.kill(os.getpid(), signal.SIGINT)
 
-    with pytest.raises(KeyboardInterrupt) as caught:
+    with pytest.raises(etendue.Interrupted) as caught:
         stage.render(resolution=(16, 12), spp=1_000_000_000, progress=interrupt)
-    assert isinstance(caught.value, etendue.Interrupted)
     assert caught.value.image.statistics.passes >= 3
     assert caught.value.image.color.any()
+
+
+@pytest.mark.usefixtures("ctrl_c_interrupts")
+def test_ctrl_c_at_bad_moments(stage: etendue.Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Before start() has returned, and again by an impatient hand while the render ends."""
+    start, cancel = etendue.Session.start, etendue.Session.cancel
+    impatience = iter(range(3))
+
+    def interrupted_start(session: etendue.Session) -> None:
+        start(session)
+        signal.raise_signal(signal.SIGINT)
+
+    def interrupted_cancel(session: etendue.Session) -> None:
+        cancel(session)
+        if next(impatience, None) is not None:
+            signal.raise_signal(signal.SIGINT)
+
+    monkeypatch.setattr(etendue.Session, "start", interrupted_start)
+    monkeypatch.setattr(etendue.Session, "cancel", interrupted_cancel)
+    with pytest.raises(etendue.Interrupted) as caught:
+        stage.render(resolution=(16, 12), spp=1_000_000_000)
+    assert caught.value.image.color.shape == (12, 16, 3)
+    assert next(impatience, None) is None
 
 
 def test_stage_outlives_the_usd_stage(build: StageBuilder) -> None:

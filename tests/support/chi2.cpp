@@ -109,7 +109,7 @@ Chi2Result judge(const std::vector<Cell>& all, Chi2Result result, double signifi
         result.statistic += off * off / cell.expected;
     }
     result.degrees_of_freedom = static_cast<int>(cells.size()) - 1;
-    if (result.degrees_of_freedom < 1 && !full_effort()) {
+    if (result.degrees_of_freedom < 1 && !full_effort()) {  // too few samples for a verdict, as was asked for
         result.passed = true;
         return result;
     }

@@ -57,8 +57,7 @@ TEST_P(Variance, IsTheScatterOverSeeds) {
         claim.add(excess(a, a, weights));  // no difference: the claim itself
     }
     EXPECT_LE(std::abs(difference.mean()), kSigmas * difference.standard_error());
-    // Resolves a claim that is off by a third; n for n - 1 is 12 %, the variance of a sample for that of the mean 1100
-    // %.
+    // Resolves a claim that is off by a third: n for n - 1 is 12 %, a sample's variance for the mean's 1100 %.
     if (full_effort()) EXPECT_LT(kSigmas * difference.standard_error(), claim.mean() / 3);
 }
 
