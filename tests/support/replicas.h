@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Replicas {
     int height = 0;
     std::vector<std::vector<double>> images;  ///< [replica][pixel]
     std::uint64_t invalid = 0;                ///< contributions that were not finite or negative
+    std::function<Replicas()> second_look;    ///< as many again, of other seeds and many times the samples
 
     /// Each replica averaged over blocks of block x block pixels; as large as the image: its mean.
     [[nodiscard]] Replicas blocks(int block) const;
@@ -42,9 +44,10 @@ struct Replicas {
 inline constexpr double kFalseAlarm = 1e-5;
 
 /// Welch t-tests of two sets of renders, pixel by pixel, by 4 x 4 blocks, and as a whole; the smallest p-value is held
-/// against kFalseAlarm over the number of tests (Bonferroni: holds for correlated pixels). The standard error of the
-/// difference of the two means must be below `resolution` of the mean: pictures that are noise alone agree about
-/// nothing.
+/// against kFalseAlarm over the number of tests (Bonferroni: holds for correlated pixels). A t-test is fooled by events
+/// so rare that a set may lack them all, so what seems to differ gets a second look: a bias is still there. The
+/// standard error of the difference of the two means must be below `resolution` of the mean: pictures that are noise
+/// alone agree about nothing.
 [[nodiscard]] testing::AssertionResult same_picture(const Replicas& a, const Replicas& b, double resolution = 1);
 
 /// The whole picture's mean against a known value, t-test at kFalseAlarm; its standard error must be below `resolution`

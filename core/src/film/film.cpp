@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "film/asks_for.h"
-#include "film/pass_blocks.h"
 #include "film/splat_footprint.h"
 
 namespace etendue {
@@ -22,17 +21,13 @@ void store(std::span<float> out, std::size_t pixel, const Rgb& value) {
 }  // namespace
 
 Film::Film(const RenderSettings& settings, const PixelWindow& window, std::vector<Strategy> strategies)
-    : settings_(settings),
-      filter_(settings.filter),
-      window_(window),
-      passes_per_block_(passes_per_block(settings)),
-      strategies_(std::move(strategies), window) {
+    : settings_(settings), filter_(settings.filter), window_(window), strategies_(std::move(strategies), window) {
     const auto pixels =
         static_cast<std::size_t>(window.x1 - window.x0) * static_cast<std::size_t>(window.y1 - window.y0);
     camera_.resize(pixels);
     count_.resize(pixels);
     if (asks_for(settings, {Aov::Alpha, Aov::Depth, Aov::Normal, Aov::Albedo})) surface_.resize(pixels);
-    if (asks_for(settings, {Aov::Variance})) block_.resize(pixels);
+    if (asks_for(settings, {Aov::Variance})) replicates_.resize(pixels);
 }
 
 void Film::add(const FilmTile& tile) {
@@ -43,7 +38,7 @@ void Film::add(const FilmTile& tile) {
     statistics_.camera_paths += tile.camera_paths;
     statistics_.light_paths += tile.light_paths;
     statistics_.rays += tile.rays;
-    block_light_paths_ += tile.light_paths;
+    pass_light_paths_ += tile.light_paths;
     for (std::size_t i = 0; i < tile.invalid.size(); ++i) statistics_.invalid[i] += tile.invalid[i];
 }
 
@@ -54,7 +49,7 @@ void Film::add_samples(const FilmTile& tile) {
             const std::size_t pixel = pixel_index(window_, x, y);
             camera_[pixel] += sample->radiance;
             ++count_[pixel];
-            if (!block_.empty()) block_[pixel].camera += sample->radiance;
+            if (!replicates_.empty()) replicates_[pixel].camera += sample->radiance;
             if (surface_.empty() || !sample->hit) continue;
             SurfaceSums& sums = surface_[pixel];
             sums.hits += 1;
@@ -68,28 +63,18 @@ void Film::add_samples(const FilmTile& tile) {
 void Film::add_splat(const Splat& splat) {
     spread_splat(filter_, window_, splat.raster, [&](std::size_t pixel, double weight) {
         splat_[pixel] += splat.value * weight;
-        if (!block_.empty()) block_[pixel].splat += splat.value * weight;
+        if (!replicates_.empty()) replicates_[pixel].splat += splat.value * weight;
     });
 }
 
 void Film::end_pass() {
-    ++statistics_.passes;
-    if (statistics_.passes % passes_per_block_ == 0) end_block();
-}
-
-void Film::end_block() {
-    const std::uint64_t ended = statistics_.passes / passes_per_block_;
-    const auto blocks = static_cast<double>(ended);
-    const double per_light_path = block_light_paths_ > 0 ? 1 / static_cast<double>(block_light_paths_) : 0;
-    const double per_pass = 1 / static_cast<double>(passes_per_block_);
-    for (BlockSums& sums : block_) {
-        const Rgb value = sums.camera * per_pass + sums.splat * per_light_path;
-        const Rgb before = value - sums.mean;
-        sums.mean += before / blocks;
-        sums.deviation += before * (value - sums.mean);
+    const std::uint64_t replicate = place_of_pass(static_cast<std::uint64_t>(statistics_.passes++)).replicate;
+    const double per_light_path = pass_light_paths_ > 0 ? 1 / static_cast<double>(pass_light_paths_) : 0;
+    for (ReplicateSums& sums : replicates_) {
+        sums.passes[replicate] += sums.camera + sums.splat * per_light_path;
         sums.camera = sums.splat = {};
     }
-    block_light_paths_ = 0;
+    pass_light_paths_ = 0;
 }
 
 Rgb Film::color(std::size_t pixel) const {
@@ -100,12 +85,20 @@ Rgb Film::color(std::size_t pixel) const {
 }
 
 Rgb Film::variance(std::size_t pixel) const {
-    const std::uint64_t blocks = statistics_.passes / passes_per_block_;
-    if (blocks < 2) return Rgb(std::numeric_limits<double>::infinity());
-    const auto n = static_cast<double>(blocks);
-    // The passes of an unfinished block are in the picture, too.
-    const double finished = n * static_cast<double>(passes_per_block_) / static_cast<double>(statistics_.passes);
-    return block_[pixel].deviation * (finished / (n * (n - 1)));
+    const auto ended = static_cast<std::uint64_t>(statistics_.passes);
+    const std::uint64_t replicates = std::min(ended, kReplicates);
+    if (replicates < 2) return Rgb(std::numeric_limits<double>::infinity());
+    const ReplicateSums& sums = replicates_[pixel];
+    const auto passes = static_cast<double>(ended);
+    Rgb mean;
+    for (const Rgb& sum : sums.passes) mean += sum / passes;
+    Rgb deviation;
+    for (std::uint64_t r = 0; r < replicates; ++r) {
+        const auto n = static_cast<double>(passes_of_replicate(r, ended));
+        const Rgb off = sums.passes[r] / n - mean;
+        deviation += off * off * n;
+    }
+    return deviation / (static_cast<double>(replicates - 1) * passes);
 }
 
 void Film::fill(Aov aov, std::span<float> out) const {

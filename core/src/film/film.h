@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,6 +10,7 @@
 
 #include "film/film_tile.h"
 #include "film/filter.h"
+#include "film/replicates.h"
 #include "film/strategy_planes.h"
 
 namespace etendue {
@@ -21,7 +23,7 @@ public:
     Film(const RenderSettings& settings, const PixelWindow& window, std::vector<Strategy> strategies = {});
 
     void add(const FilmTile& tile);
-    /// Closes a pass. The image of each block of passes enters the variance of the mean.
+    /// Closes a pass: only whole ones enter the variance.
     void end_pass();
 
     [[nodiscard]] RenderedImage image() const;
@@ -34,15 +36,13 @@ private:
         Vec3 normal;
         Rgb albedo;
     };
-    /// The present block of passes, and running mean and squared deviations over blocks (Welford).
-    struct BlockSums {
+    /// The present pass, and the sum over the passes of each replicate.
+    struct ReplicateSums {
         Rgb camera;
         Rgb splat;
-        Rgb mean;
-        Rgb deviation;
+        std::array<Rgb, kReplicates> passes;
     };
 
-    void end_block();
     void add_samples(const FilmTile& tile);
     void add_splat(const Splat& splat);
     [[nodiscard]] Rgb color(std::size_t pixel) const;
@@ -52,14 +52,13 @@ private:
     RenderSettings settings_;
     Filter filter_;
     PixelWindow window_;
-    std::uint64_t passes_per_block_;
     std::vector<Rgb> camera_;
     std::vector<Rgb> splat_;  ///< empty until a splat arrives
     std::vector<std::uint32_t> count_;
-    std::vector<SurfaceSums> surface_;  ///< empty unless asked for
-    std::vector<BlockSums> block_;      ///< empty unless variance is asked for
+    std::vector<SurfaceSums> surface_;       ///< empty unless asked for
+    std::vector<ReplicateSums> replicates_;  ///< empty unless variance is asked for
     StrategyPlanes strategies_;
-    std::uint64_t block_light_paths_ = 0;
+    std::uint64_t pass_light_paths_ = 0;
     RenderStatistics statistics_;
 };
 

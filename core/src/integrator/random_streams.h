@@ -2,19 +2,17 @@
 
 #include <cstdint>
 
-#include "film/pass_blocks.h"
+#include "film/replicates.h"
 #include "math/sampler.h"
 
 namespace etendue {
 
-/// The numbers of each camera sample and each light path, whoever traces it. In a block of passes a pixel's samples are
-/// one sequence, and so are all light paths of the block.
+/// The numbers of each camera sample and each light path, whoever traces it. In a replicate a pixel's samples are one
+/// sequence, and so are all light paths.
 class RandomStreams {
 public:
-    RandomStreams(const RenderSettings& settings, std::uint64_t light_paths_per_pass)
-        : seed_(settings.seed),
-          passes_per_block_(passes_per_block(settings)),
-          light_paths_per_pass_(light_paths_per_pass) {}
+    RandomStreams(std::uint64_t seed, std::uint64_t light_paths_per_pass)
+        : seed_(seed), light_paths_per_pass_(light_paths_per_pass) {}
 
     [[nodiscard]] Sampler camera(std::uint64_t pass, std::uint64_t pixel) const {
         return at_pixel(Use::Camera, pass, pixel);
@@ -24,23 +22,24 @@ public:
         return at_pixel(Use::Joins, pass, pixel);
     }
     [[nodiscard]] Sampler light(std::uint64_t pass, std::uint64_t path) const {
-        const std::uint64_t index = pass % passes_per_block_ * light_paths_per_pass_ + path;
-        return Sampler({seed_, stream(Use::Light, pass), index >> 32, index & 0xffffffff});
+        const PassPlace place = place_of_pass(pass);
+        const std::uint64_t index = place.index * light_paths_per_pass_ + path;
+        return Sampler({seed_, stream(Use::Light, place), index >> 32, index & 0xffffffff});
     }
 
 private:
     enum class Use : std::uint64_t { Camera, Joins, Light };
     static constexpr std::uint64_t kUses = 3;
 
-    [[nodiscard]] std::uint64_t stream(Use use, std::uint64_t pass) const {
-        return pass / passes_per_block_ * kUses + static_cast<std::uint64_t>(use);
+    static std::uint64_t stream(Use use, const PassPlace& place) {
+        return place.replicate * kUses + static_cast<std::uint64_t>(use);
     }
     [[nodiscard]] Sampler at_pixel(Use use, std::uint64_t pass, std::uint64_t pixel) const {
-        return Sampler({seed_, stream(use, pass), pixel, pass % passes_per_block_});
+        const PassPlace place = place_of_pass(pass);
+        return Sampler({seed_, stream(use, place), pixel, place.index});
     }
 
     std::uint64_t seed_;
-    std::uint64_t passes_per_block_;
     std::uint64_t light_paths_per_pass_;
 };
 

@@ -6,6 +6,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 
+#include "film/replicates.h"
 #include "math/rng.h"
 #include "support/estimate.h"
 
@@ -177,14 +178,14 @@ TEST(Film, AddsUpStatistics) {
     EXPECT_EQ(image.statistics.passes, 5);
 }
 
-// Passes of Gaussian pixels, part sample and part splat: (n - 1) n claimed / sigma^2 follows chi-squared.
+// Passes of Gaussian pixels, part sample and part splat, and replicates of one or two of them: (replicates - 1) passes
+// claimed / sigma^2 follows chi-squared.
 TEST(Film, VarianceIsThatOfTheMean) {
     const boost::math::normal gauss;
-    const int passes = 16;
+    const int passes = 13;
+    constexpr auto kDegrees = static_cast<double>(kReplicates - 1);
     const PixelWindow window{0, 0, 16, 16};
-    RenderSettings single = settings(16, 16, {Aov::Variance, Aov::Color});
-    single.samples_per_pixel = 8;  // each pass is a block
-    Film film(single, window);
+    Film film(settings(16, 16, {Aov::Variance, Aov::Color}), window);
     Rng rng(1, 0, 0);
     const auto draw = [&] { return boost::math::quantile(gauss, rng.next_1d() + 0x1p-54); };
     const double camera_sigma = 2;
@@ -205,20 +206,17 @@ TEST(Film, VarianceIsThatOfTheMean) {
     const RenderedImage image = film.image();
     double statistic = 0;
     const double sigma2 = camera_sigma * camera_sigma + splat_sigma * splat_sigma;
-    for (int i = 0; i < 256; ++i)
-        statistic += passes * (passes - 1) * at(image, Aov::Variance, i % 16, i / 16) / sigma2;
-    // Two-sided, a false alarm in 10^6 seeds: with 3840 degrees of freedom that resolves 12 % in the variance, and an
-    // n in place of n - 1 (6.7 %) is told by more than three of its standard deviations.
-    const boost::math::chi_squared chi2(256 * (passes - 1));
+    for (int i = 0; i < 256; ++i) statistic += passes * kDegrees * at(image, Aov::Variance, i % 16, i / 16) / sigma2;
+    // Two-sided, a false alarm in 10^6 seeds: with 1792 degrees of freedom that resolves 17 % in the variance. An n in
+    // place of n - 1, 14 %, is four of its standard deviations away.
+    const boost::math::chi_squared chi2(256 * kDegrees);
     EXPECT_GT(statistic, boost::math::quantile(chi2, 5e-7));
     EXPECT_LT(statistic, boost::math::quantile(boost::math::complement(chi2, 5e-7)));
 }
 
 TEST(Film, VarianceKnowsCompletePassesOnly) {
     const PixelWindow window{0, 0, 1, 1};
-    RenderSettings few = settings(1, 1, {Aov::Variance});
-    few.samples_per_pixel = 8;  // each pass is a block
-    Film film(few, window);
+    Film film(settings(1, 1, {Aov::Variance}), window);
     film.add(tile_of(window, Rgb(1)));
     film.end_pass();
     EXPECT_EQ(at(film.image(), Aov::Variance, 0, 0), std::numeric_limits<float>::infinity());
@@ -229,19 +227,18 @@ TEST(Film, VarianceKnowsCompletePassesOnly) {
     EXPECT_FLOAT_EQ(at(film.image(), Aov::Variance, 0, 0), 1);
 }
 
-TEST(Film, VarianceIsThatOfBlocksOfPasses) {
+TEST(Film, VarianceIsThatOfReplicates) {
     const PixelWindow window{0, 0, 1, 1};
-    RenderSettings many = settings(1, 1, {Aov::Variance});
-    many.samples_per_pixel = 16;  // blocks of two
-    Film film(many, window);
-    for (double value : {0.0, 2.0, 2.0, 4.0}) {
-        film.add(tile_of(window, Rgb(value)));
-        film.end_pass();
+    Film film(settings(1, 1, {Aov::Variance}), window);
+    // What replicates add up to is far less scattered than their passes are.
+    for (double above : {5.0, -5.0}) {
+        for (std::uint64_t replicate = 0; replicate < kReplicates; ++replicate) {
+            film.add(tile_of(window, Rgb(10 + above + (replicate % 2 == 0 ? 1 : -1))));
+            film.end_pass();
+        }
     }
-    EXPECT_FLOAT_EQ(at(film.image(), Aov::Variance, 0, 0), 1);  // of 1 and 3
-    film.add(tile_of(window, Rgb(100)));
-    film.end_pass();  // of five passes four tell of the variance of the mean
-    EXPECT_FLOAT_EQ(at(film.image(), Aov::Variance, 0, 0), 0.8F);
+    constexpr double kVariance = 1.0 / (kReplicates - 1);  // 8 deviations of 1^2 over 8 * 7
+    EXPECT_FLOAT_EQ(at(film.image(), Aov::Variance, 0, 0), static_cast<float>(kVariance));
 }
 
 }  // namespace

@@ -184,7 +184,7 @@ double resolution(int s, int t) {
 int cell_size(int s, int t) { return t == 0 || s + t == 2 ? kSize : kSize / 2; }
 
 Replicas render_alone(const SceneDescription& scene, int s, int t) {
-    const int effort = s == 0 || t == 0 ? 4 : 1;
+    const int effort = s == 0 || t == 0 ? 6 : 1;
     RenderSettings settings = small_settings(IntegratorKind::Bdpt, kSize, 96 * effort);
     settings.single_strategy = Strategy{s, t};
     settings.max_depth = s + t - 2;
@@ -312,6 +312,7 @@ Replicas cut(const Replicas& whole, const PixelWindow& window) {
     out.width = window.x1 - window.x0;
     out.height = window.y1 - window.y0;
     out.invalid = whole.invalid;
+    if (whole.second_look) out.second_look = [look = whole.second_look, window] { return cut(look(), window); };
     for (const auto& image : whole.images) {
         std::vector<double>& pixels = out.images.emplace_back();
         for (int y = window.y0; y < window.y1; ++y) {

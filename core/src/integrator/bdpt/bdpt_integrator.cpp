@@ -37,7 +37,7 @@ ActiveStrategies resolve(const RenderContext& context, const StrategySet& asked)
 BdptIntegrator::BdptIntegrator(const RenderContext& context, const StrategySet& strategies)
     : context_(context),
       active_(resolve(context, strategies)),
-      streams_(context.settings, static_cast<std::uint64_t>(active_.light_paths)),
+      streams_(context.settings.seed, static_cast<std::uint64_t>(active_.light_paths)),
       tracer_(context_, active_),
       connector_(context_, active_) {
     const int longest = std::min(context_.settings.strategy_images, context_.settings.max_depth + 1);

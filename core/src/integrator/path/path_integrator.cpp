@@ -22,7 +22,7 @@ struct PathIntegrator::Walk {
 };
 
 PathIntegrator::PathIntegrator(const RenderContext& context)
-    : context_(context), heuristic_(context.settings.heuristic), streams_(context.settings, 0) {}
+    : context_(context), heuristic_(context.settings.heuristic), streams_(context.settings.seed, 0) {}
 
 void PathIntegrator::render(const WorkUnit& unit, FilmTile& tile) const {
     if (context_.scene.absorbs()) {
