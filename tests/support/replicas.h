@@ -20,10 +20,12 @@ struct Replicas {
     int height = 0;
     std::vector<std::vector<double>> images;  ///< [replica][pixel]
     std::uint64_t invalid = 0;                ///< contributions that were not finite or negative
-    std::function<Replicas()> second_look;    ///< as many again, of other seeds and many times the samples
+    std::function<Replicas()> second_look;    ///< as many again, of other seeds and four times the samples
 
     /// Each replica averaged over blocks of block x block pixels; as large as the image: its mean.
     [[nodiscard]] Replicas blocks(int block) const;
+    /// The window's pixels of each replica.
+    [[nodiscard]] Replicas cut(const PixelWindow& window) const;
     [[nodiscard]] double mean() const;
     /// Standard error of mean().
     [[nodiscard]] double standard_error() const;

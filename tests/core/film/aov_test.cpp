@@ -102,29 +102,12 @@ TEST(Crop, OfAPathTracedPictureIsBitForBitTheSame) {
     }
 }
 
-/// The crop's pixels out of renders of the whole picture.
-Replicas cut_out(const Replicas& whole) {
-    Replicas out = whole;
-    out.width = kCrop.x1 - kCrop.x0;
-    out.height = kCrop.y1 - kCrop.y0;
-    for (auto& image : out.images) {
-        std::vector<double> pixels;
-        for (int y = kCrop.y0; y < kCrop.y1; ++y) {
-            for (int x = kCrop.x0; x < kCrop.x1; ++x) {
-                pixels.push_back(image[static_cast<std::size_t>(y * whole.width + x)]);
-            }
-        }
-        image = pixels;
-    }
-    return out;
-}
-
 // A crop traces light paths for its own pixels only, and those still spread over the whole picture.
 TEST(Crop, OfAPictureOfLightPathsIsTheSameInTheMean) {
     for (IntegratorKind integrator : {IntegratorKind::Light, IntegratorKind::Bdpt}) {
         RenderSettings settings = small_settings(integrator, 20, 16);
         settings.filter = {FilterKind::Triangle, 1};
-        const Replicas whole = cut_out(render_replicas(diffuse_box(), settings, 16, 1));
+        const Replicas whole = render_replicas(diffuse_box(), settings, 16, 1).cut(kCrop);
         settings.crop = kCrop;
         const Replicas crop = render_replicas(diffuse_box(), settings, 16, 2);
         EXPECT_TRUE(same_picture(whole, crop));

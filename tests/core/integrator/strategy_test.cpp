@@ -306,24 +306,6 @@ TEST(LightPaths, TwoForTheWholeImageAreEnough) {
     EXPECT_TRUE(same_picture(many, render_replicas(scene, settings, 16, 2), 0.03));
 }
 
-/// Pixels [x0, x1) x [y0, y1) of each replica.
-Replicas cut(const Replicas& whole, const PixelWindow& window) {
-    Replicas out;
-    out.width = window.x1 - window.x0;
-    out.height = window.y1 - window.y0;
-    out.invalid = whole.invalid;
-    if (whole.second_look) out.second_look = [look = whole.second_look, window] { return cut(look(), window); };
-    for (const auto& image : whole.images) {
-        std::vector<double>& pixels = out.images.emplace_back();
-        for (int y = window.y0; y < window.y1; ++y) {
-            for (int x = window.x0; x < window.x1; ++x) {
-                pixels.push_back(image[static_cast<std::size_t>(y * whole.width + x)]);
-            }
-        }
-    }
-    return out;
-}
-
 constexpr PixelFilter kGaussian{FilterKind::Gaussian, 1.5};
 
 TEST(Crop, IsThatPartOfTheWhole) {
@@ -333,7 +315,7 @@ TEST(Crop, IsThatPartOfTheWhole) {
         SCOPED_TRACE(static_cast<int>(integrator));
         RenderSettings settings = shallow_settings(integrator, 64);
         settings.filter = kGaussian;
-        const Replicas whole = cut(render_replicas(scene, settings, kReplicas, 1), window);
+        const Replicas whole = render_replicas(scene, settings, kReplicas, 1).cut(window);
         settings.crop = window;
         EXPECT_TRUE(same_picture(whole, render_replicas(scene, settings, kReplicas, 2), 0.02));
     }
@@ -357,7 +339,7 @@ TEST(Crop, MayBeNarrowerThanTheFilter) {
             RenderSettings crop = settings;
             crop.samples_per_pixel = 40 * settings.samples_per_pixel;
             crop.light_paths_per_pixel = 0.4;
-            EXPECT_TRUE(same_picture(cut(whole, window), render_replicas(scene, crop, kReplicas, 2), 0.06));
+            EXPECT_TRUE(same_picture(whole.cut(window), render_replicas(scene, crop, kReplicas, 2), 0.06));
         }
     }
 }

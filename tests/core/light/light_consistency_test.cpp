@@ -46,7 +46,7 @@ Vec3 random_receiver(Rng& rng) {
 TEST_P(LightConsistency, DirectSampleMatchesItsDensities) {
     Rng rng(1, 0, 0);
     int lit = 0;
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < 5000; ++i) {
         Vec3 receiver = random_receiver(rng);
         if (const auto bounds = light().bounds(); bounds && i % 2 == 0) {  // a narrow beam finds few at random
             receiver = bounds->center() + normalize(GetParam().axis) * 6.0 + receiver * 0.02;
