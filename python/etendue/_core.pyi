@@ -820,7 +820,7 @@ class RenderSettings:
         heuristic: MisHeuristic = ...,
         strategies: StrategySet = ...,
         single_strategy: Strategy | None = ...,
-        light_paths_per_pixel: float = ...,
+        light_paths_per_pixel: float | None = ...,
         roulette_depth: int = ...,
         adjoint: AdjointPolicy = ...,
         aovs: Sequence[Aov] = ...,
@@ -841,7 +841,7 @@ class RenderSettings:
     heuristic: MisHeuristic
     strategies: StrategySet
     single_strategy: Strategy | None
-    light_paths_per_pixel: float
+    light_paths_per_pixel: float | None
     roulette_depth: int
     adjoint: AdjointPolicy
     @property

@@ -133,8 +133,11 @@ def render(
     seed: Annotated[int, typer.Option(help="The same seed gives the same image.")] = 0,
     threads: Annotated[int, typer.Option(help="0: all.")] = 0,
     light_paths: Annotated[
-        float, typer.Option(help="Light subpaths per pixel and pass (bdpt, light).")
-    ] = CORE_DEFAULTS.light_paths_per_pixel,
+        float | None,
+        typer.Option(
+            help="Light subpaths per pixel and pass (bdpt, light); default: as many as pay."
+        ),
+    ] = None,
     pixel_filter: Annotated[str, typer.Option("--filter", help="|".join(FILTERS))] = "box",
     ocio: Annotated[
         str, typer.Option(metavar="FILE", help="OpenColorIO config; default: $OCIO, else our own.")

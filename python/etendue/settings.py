@@ -50,7 +50,8 @@ class RenderOptions(TypedDict, total=False):
     heuristic: "power" (default) or "balance", for the weights of path and bdpt.
     strategies: the names of STRATEGIES that take part; default all.
     single_strategy: (s, t), s light and t camera vertices: shows this strategy alone, unweighted.
-    light_paths: light subpaths per pixel and pass. Default 2.
+    light_paths: light subpaths per pixel and pass. Default: 1 for light; for bdpt 4 where something
+        gathers light into caustics, which they alone render well, else 0.5.
     roulette_depth: bounces before Russian roulette; negative: never.
     adjoint: the names of ADJOINT corrections that are made; default all. Leaving one out is
         wrong on purpose, for validation.
@@ -71,7 +72,7 @@ class RenderOptions(TypedDict, total=False):
     heuristic: str
     strategies: Iterable[str] | None
     single_strategy: tuple[int, int] | None
-    light_paths: float
+    light_paths: float | None
     roulette_depth: int
     adjoint: Iterable[str] | None
 
@@ -100,7 +101,7 @@ def render_settings(
     settings.threads = _at_least("threads", options.get("threads", 0), 0)
     settings.heuristic = _choice("heuristic", options.get("heuristic", "power"), HEURISTICS)
     settings.filter = _filter(options)
-    settings.light_paths_per_pixel = options.get("light_paths", settings.light_paths_per_pixel)
+    settings.light_paths_per_pixel = options.get("light_paths")
     settings.roulette_depth = options.get("roulette_depth", settings.roulette_depth)
     settings.strategies = _core.StrategySet(
         **_switches("strategy", options.get("strategies"), STRATEGIES)

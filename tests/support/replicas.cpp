@@ -161,6 +161,7 @@ RenderSettings small_settings(IntegratorKind integrator, int size, int samples_p
     settings.width = size;
     settings.height = size;
     settings.samples_per_pixel = samples_per_pixel;
+    settings.light_paths_per_pixel = 2;
     settings.aovs = {Aov::Color};
     return settings;
 }

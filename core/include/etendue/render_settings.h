@@ -73,7 +73,9 @@ struct RenderSettings {
     MisHeuristic heuristic = MisHeuristic::Power;
     StrategySet strategies;                   ///< bdpt; path heeds emission_hit and direct_light
     std::optional<Strategy> single_strategy;  ///< bdpt: shows only this one, unweighted (C* of theory.md §2)
-    double light_paths_per_pixel = 2;         ///< light subpaths traced per pixel and pass (bdpt, light)
+    /// Light subpaths traced per pixel and pass (bdpt, light). Empty: 1 for light; for bdpt 4 where something gathers
+    /// light into caustics, which they alone render well, else 0.5.
+    std::optional<double> light_paths_per_pixel;
     int roulette_depth = 4;                   ///< bounces before Russian roulette may end a path; negative: never
     AdjointPolicy adjoint;
 

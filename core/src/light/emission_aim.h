@@ -21,6 +21,8 @@ public:
     /// At most kMostTargets. Densities stay exact wherever the spheres are.
     explicit EmissionAim(const std::vector<Sphere>& targets);
 
+    [[nodiscard]] bool has_targets() const { return count_ > 0; }
+
     [[nodiscard]] EmissionSample sample(const Light& light, const Vec2& u_point, const Vec2& u_dir) const;
     /// Of y, and of leaving it along w through x; from infinity, where y is a direction, x says which of the parallel
     /// rays it is.

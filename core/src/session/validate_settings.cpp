@@ -46,15 +46,14 @@ void validate_settings(const RenderSettings& settings, const SceneDescription& s
     require(settings.max_depth >= 0, "the maximum depth must not be negative");
     require(settings.max_depth <= kMostBounces, "the maximum depth is too large");
     require(settings.filter.radius <= kLargestFilter, "the filter radius is too large");
-    require(settings.integrator == IntegratorKind::Path || settings.light_paths_per_pixel > 0 ||
-                settings.strategies.emission_hit || settings.strategies.direct_light,
+    const double light_paths = settings.light_paths_per_pixel.value_or(1);
+    require(settings.integrator == IntegratorKind::Path || light_paths > 0 || settings.strategies.emission_hit ||
+                settings.strategies.direct_light,
             "without light paths only the strategies of the camera remain, and they are switched off");
-    require(settings.integrator != IntegratorKind::Light || settings.light_paths_per_pixel > 0,
-            "the light integrator needs light paths");
+    require(settings.integrator != IntegratorKind::Light || light_paths > 0, "the light integrator needs light paths");
     require(settings.threads >= 0, "the number of threads must not be negative");
-    require(settings.light_paths_per_pixel >= 0 && std::isfinite(settings.light_paths_per_pixel),
-            "light paths per pixel must not be negative");
-    require(settings.light_paths_per_pixel <= kMostLightPathsPerPixel, "too many light paths per pixel");
+    require(light_paths >= 0 && std::isfinite(light_paths), "light paths per pixel must not be negative");
+    require(light_paths <= kMostLightPathsPerPixel, "too many light paths per pixel");
     require(!settings.single_strategy || settings.integrator == IntegratorKind::Bdpt,
             "a single strategy needs the bdpt integrator");
     require(settings.strategy_images >= 0, "the path length of strategy images must not be negative");

@@ -114,5 +114,18 @@ TEST(Settings, EdgesAreAllowed) {
     EXPECT_TRUE(image.aovs.empty());
 }
 
+TEST(Settings, LightPathsAreAsManyAsTheSceneHasUseFor) {
+    const auto paths_of = [](const SceneDescription& scene, IntegratorKind integrator) {
+        RenderSettings settings = small_settings(integrator, 10, 1);
+        settings.light_paths_per_pixel.reset();
+        return render(scene, settings).statistics.light_paths;
+    };
+    EXPECT_EQ(paths_of(diffuse_box(), IntegratorKind::Bdpt), 50U);
+    EXPECT_EQ(paths_of(glass_box(), IntegratorKind::Bdpt), 400U);
+    EXPECT_EQ(paths_of(diffuse_box(), IntegratorKind::Light), 100U);
+    EXPECT_EQ(paths_of(glass_box(), IntegratorKind::Light), 100U);
+    EXPECT_EQ(paths_of(glass_box(), IntegratorKind::Path), 0U);
+}
+
 }  // namespace
 }  // namespace etendue::test
