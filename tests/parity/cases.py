@@ -99,6 +99,13 @@ CASES = (
         (Peer(MITSUBA_PTRACER, 3072),),
     ),
     Case(
+        "pool from under water, large lamp",
+        own("caustic_pool", "underwater", lamp_radius=1.0),
+        20,
+        160,
+        (Peer(LUXCORE, 256),),
+    ),
+    Case(
         "flat pool from under water, large lamp",
         own("flat_pool", "underwater", lamp_radius=1.0),
         20,
@@ -117,7 +124,7 @@ CASES = (
         parity("rough_glass_sphere"),
         12,
         96,
-        (Peer(MITSUBA_PATH, 768), Peer(MITSUBA_PTRACER, 1024)),
+        (Peer(MITSUBA_PATH, 768), Peer(MITSUBA_PTRACER, 4096)),
     ),
     Case(
         "latlong sky",
