@@ -164,6 +164,8 @@ def render(
     kind = _core.image_file_kind(output)
     _core.check_writable(output)
     if kind == _core.ImageFileKind.Display:
+        if strategy_images:
+            raise typer.BadParameter(f"'{output}': --strategy-images are layers of an .exr")
         _check_display(output, ocio, display, view, bits)
     options = RenderOptions(
         resolution=_numbers("resolution", resolution, "x", 2),

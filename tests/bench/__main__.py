@@ -2,10 +2,8 @@
 
 Every stage with every integrator, in turn and round after round, so that a noisy machine is noisy
 for all alike. Efficiency is 1 / (relMSE x CPU seconds): twice the efficiency is the same noise in
-half the time. relMSE is the squared distance from a
-reference over the squared reference, a mean over pixels and channels; the reference is a long bdpt
-render. A variance between seeds would flatter path tracing, which hardly ever finds a caustic and
-then looks noiseless.
+half the time. relMSE (support/rel_mse.py) is against a long bdpt render: a variance between seeds
+would flatter path tracing, which hardly ever finds a caustic and then looks noiseless.
 With --write the table goes into README.md beside this file.
 """
 
@@ -27,15 +25,23 @@ import numpy.typing as npt
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from bench.embree_share import embree_share, recording
-from bench.marked_table import replace_between_markers
+from support.machine import machine
+from support.marked_table import replace_between_markers, table
+from support.rel_mse import rel_mse
 
 HERE = Path(__file__).resolve().parent
 STAGES = HERE.parent.parent / "stages"
 INTEGRATORS = ("path", "light", "bdpt")
-#: A pixel darker than this part of the mean counts as that bright: black would divide by zero.
-DARKEST = 0.05
-#: Part of the pixels, the farthest off, left out of relMSE: else one firefly would be the figure.
-TRIMMED = 0.001
+HEAD = (
+    "stage",
+    "integrator",
+    "Mpaths/CPU s",
+    "Mrays/CPU s",
+    "in Embree",
+    "peak MB",
+    "efficiency (robust)",
+    "cores",
+)
 
 Images = npt.NDArray[np.float64]
 
@@ -63,12 +69,19 @@ class Row:
         self.share = share
         self.images.extend(images)
 
-    def efficiency(self, reference: Images) -> float:
-        floor = DARKEST * reference.mean()
-        squared = (np.array(self.images) - reference) ** 2
-        relative = np.sort((squared.mean(axis=0) / np.maximum(reference, floor) ** 2).ravel())
-        mse = float(relative[: math.ceil(relative.size * (1 - TRIMMED))].mean())
-        return len(self.images) / (mse * self.cpu) if mse > 0 else math.inf
+    def cells(self, reference: Images) -> list[str]:
+        error = rel_mse(self.images, reference)
+        work = self.cpu / len(self.images)
+        return [
+            self.stage,
+            self.integrator,
+            f"{self.paths / self.cpu / 1e6:.3f}",
+            f"{self.rays / self.cpu / 1e6:.2f}",
+            "-" if math.isnan(self.share) else f"{self.share:.0%}",
+            f"{self.peak / 2**20:.0f}",
+            f"{1 / (error.whole * work):.3g} ({1 / (error.robust * work):.3g})",
+            f"{self.cpu / self.wall:.2f}",
+        ]
 
 
 def run_once(row: Row, args: argparse.Namespace, spp: int) -> None:
@@ -103,22 +116,6 @@ def reference(stage: str, args: argparse.Namespace) -> Images:
     return row.images[0]
 
 
-def table(rows: list[Row], references: dict[str, Images]) -> str:
-    columns = ["stage", "integrator", "Mpaths/CPU s", "Mrays/CPU s", "in Embree", "peak MB"]
-    columns += ["efficiency", "cores"]
-    lines = [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
-    for stage in dict.fromkeys(row.stage for row in rows):
-        target = references[stage]
-        for row in (row for row in rows if row.stage == stage):
-            share = "-" if math.isnan(row.share) else f"{row.share:.0%}"
-            lines.append(
-                f"| {stage} | {row.integrator} | {row.paths / row.cpu / 1e6:.3f} "
-                f"| {row.rays / row.cpu / 1e6:.2f} | {share} | {row.peak / 2**20:.0f} "
-                f"| {row.efficiency(target):.3g} | {row.cpu / row.wall:.2f} |"
-            )
-    return "\n".join(lines)
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("stages", nargs="*", help="names; default all")
@@ -134,6 +131,8 @@ def main() -> None:
     parser.add_argument("--threads", type=int, default=min(2, os.cpu_count() or 1))
     parser.add_argument("--write", action="store_true", help="put the table into README.md")
     args = parser.parse_args()
+    if args.write and args != parser.parse_args(["--write"]):
+        parser.error("--write takes no other option: the table is of all stages, measured alike")
     names = args.stages or sorted(path.stem for path in STAGES.glob("*.usda"))
     rows = [Row(stage, integrator) for stage in names for integrator in args.integrators]
     for done in range(args.rounds):
@@ -142,7 +141,8 @@ def main() -> None:
             args.first_seed = done * args.seeds
             run_once(row, args, args.spp if row.integrator != "bdpt" else max(args.spp // 4, 1))
     references = {stage: reference(stage, args) for stage in names}
-    text = table(rows, references)
+    text = table(HEAD, [row.cells(references[row.stage]) for row in rows])
+    text = f"{machine()}, {args.threads} threads.\n\n{text}"
     print(text)
     if args.write:
         replace_between_markers(HERE / "README.md", "stages", text)

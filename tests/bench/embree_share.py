@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import os
 import re
 import shutil
 import subprocess
@@ -12,11 +14,22 @@ RENDERING = re.compile(r"_core\.|libembree|libm\.|libc\.|libtbb|libOpenImageIO")
 
 
 def recording(data: Path) -> list[str]:
-    """Prefix of a command that is to be profiled; empty where there is no perf."""
-    perf = shutil.which("perf")
-    if perf is None:
-        return []
-    return [perf, "record", "--quiet", "--event=cpu-clock", "--freq=500", f"--output={data}", "--"]
+    """Prefix of a command that is to be profiled; empty where perf is missing or refused."""
+    return _record(data) if _allowed() else []
+
+
+@functools.cache
+def _allowed() -> bool:
+    """Containers and kernel.perf_event_paranoid may refuse."""
+    if shutil.which("perf") is None:
+        return False
+    probe = subprocess.run([*_record(Path(os.devnull)), "true"], check=False, capture_output=True)
+    return probe.returncode == 0
+
+
+def _record(data: Path) -> list[str]:
+    options = ["--quiet", "--event=cpu-clock", "--freq=500", f"--output={data}"]
+    return ["perf", "record", *options, "--"]
 
 
 def embree_share(data: Path) -> float:

@@ -10,9 +10,10 @@ import numpy as np
 from parity.cases import LUXCORE, MITSUBA_PATH, MITSUBA_PTRACER
 from parity.plain_scene import Camera, Diffuse, Floats, LatlongSky, Mesh, Scene
 from parity.processes import RendererProcess
-from parity.report import Row, table
-from parity.sky import latlong_directions, write_radiance
+from parity.sky import latlong_directions
 from parity.tasks import Task
+from support.hdr_file import write_hdr
+from support.marked_table import Row, table
 
 HEAD = ("floor under a lobe of sky", "exact", "who", "radiance", "wrong by")
 REFLECTANCE = 0.5
@@ -26,7 +27,7 @@ def results_table(work: Path) -> str:
 
 
 def _rows(file: Path) -> Iterator[Row]:
-    write_radiance(file, np.repeat(_lobe(latlong_directions())[..., None], 3, axis=-1))
+    write_hdr(file, np.repeat(_lobe(latlong_directions())[..., None], 3, axis=-1))
     for degrees in (0, 70):
         exact = _floor_radiance()  # turned about the floor's normal, the sky lights it the same
         for method in (MITSUBA_PATH, MITSUBA_PTRACER, LUXCORE):

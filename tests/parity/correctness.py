@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -10,9 +10,9 @@ import numpy as np
 from parity.cases import BDPT, CASES, Case, Peer
 from parity.plain_scene import Floats
 from parity.processes import RendererProcess
-from parity.report import Results, Row, table
 from parity.statistics import Comparison, compare
 from parity.tasks import Method
+from support.marked_table import Row, between_markers, replace_between_markers, table, table_rows
 
 WIDTH = 64
 REPLICAS = 12
@@ -21,7 +21,7 @@ HEAD = (
     "stage",
     "depth",
     "bdpt against",
-    "mean, theirs / ours",
+    "mean, theirs / ours (p)",
     "blocks, rms difference (expected)",
     "largest z",
     "p",
@@ -44,23 +44,21 @@ def row(case: Case, peer: Peer, comparison: Comparison) -> Row:
         case.name,
         str(case.max_depth),
         str(peer.method),
-        f"{c.ratio:.4f} ± {c.ratio_error:.4f}",
+        f"{c.ratio:.4f} ± {c.ratio_error:.4f} ({c.mean_p:.2g})",
         f"{c.block_rms:.2%} ({c.expected_rms:.2%})",
         f"{c.worst_z:.1f}",
-        f"{c.p:.2g}",
+        f"{c.block_p:.2g}",
         "agrees" if c.verdict == "agrees" else f"**{c.verdict}**",
     )
 
 
-def key(case: Case, peer: Peer) -> str:
-    """Of a comparison among the results."""
-    return f"{case.name}, {peer.method}"
-
-
-def results_table(results: Results) -> str:
-    """Of all cases that were ever compared."""
-    keys = [key(case, peer) for case in CASES for peer in case.peers]
-    return table(HEAD, [found for name in keys if (found := results.get(name))])
+def write(document: Path, rows: Iterable[Row]) -> None:
+    """Puts rows into the document's table, beside those of it that were not measured again."""
+    known = table_rows(between_markers(document, "parity"))
+    by_key = {(row[0], row[2]): row for row in (*known, *rows)}
+    keys = [(case.name, str(peer.method)) for case in CASES for peer in case.peers]
+    text = table(HEAD, [by_key[key] for key in keys if key in by_key])
+    replace_between_markers(document, "parity", text)
 
 
 def _replicas(case: Case, method: Method, spp: int, effort: float, pictures: Path | None) -> Floats:

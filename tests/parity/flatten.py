@@ -1,7 +1,7 @@
 """A scene description, as the USD reader makes it, told as a plain scene.
 
-Written against the schemas and not against the core, whose reading of them it is there to check.
-What the parity stages do not use is refused.
+The reader is everyone's. What its values mean is taken from the schemas and not from the core,
+which this is there to check. What the parity stages do not use is refused.
 """
 
 from __future__ import annotations

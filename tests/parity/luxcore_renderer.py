@@ -34,21 +34,20 @@ from parity.tessellation import disk_corners, sphere_corners
 
 
 class LuxcoreRenderer:
-    """Properties; LuxCore builds its scene anew for every picture."""
+    """A scene, which LuxCore builds when the first picture of it starts."""
 
     def __init__(self, task: Task) -> None:
         assert task.scene is not None
         pyluxcore.Init(lambda _: None)
         self._task = task
-        self._plain_scene = task.scene
+        self._scene = _build(task.scene, task)
 
     def render(self, spp: int, seed: int) -> Picture:
-        """The clock runs from the end of Start(), which builds, until the last sample."""
-        scene = _build(self._plain_scene, self._task)
-        config = pyluxcore.RenderConfig(_properties(_settings(self._task, spp, seed)), scene)
-        session = pyluxcore.RenderSession(config)
-        session.Start()
+        """The clock runs from before Start(), which starts the threads, until the last sample."""
+        settings = _properties(_settings(self._task, spp, seed))
+        session = pyluxcore.RenderSession(pyluxcore.RenderConfig(settings, self._scene))
         clock = Stopwatch()
+        session.Start()
         while not session.HasDone():
             time.sleep(0.01)
             session.UpdateStats()

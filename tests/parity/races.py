@@ -25,10 +25,15 @@ class Race:
 
     name: str
     case: Case
-    reference: Runner
+    reference: Method  #: no noisier than any runner at equal samples
     runners: tuple[Runner, ...]
     bar: float
     width: int
+
+    @property
+    def reference_spp(self) -> int:
+        """So many that the reference's noise adds no more than a twelfth to anyone's relMSE."""
+        return 12 * max(runner.spp for runner in self.runners)
 
 
 def _case(stage: StageChoice, max_depth: int) -> Case:
@@ -41,7 +46,7 @@ def _against_ourselves() -> tuple[Race, ...]:
         Race(
             f"bdpt among ours, {file.stem}",
             _case(StageChoice(file), 16),
-            Runner(BDPT, 768),
+            BDPT,
             (Runner(BDPT, 24), Runner(PATH, 96), Runner(LIGHT, 64)),
             0.5,
             64,
@@ -54,7 +59,7 @@ RACES = (
     Race(
         "path",
         _case(own("cornell_box", "main"), 16),
-        Runner(BDPT, 640),
+        PATH,
         (Runner(PATH, 128), Runner(MITSUBA_PATH, 256)),
         1.0,
         96,
@@ -62,7 +67,7 @@ RACES = (
     Race(
         "light",
         _case(own("caustic_pool", "underwater"), 16),
-        Runner(LIGHT, 4096),
+        LIGHT,
         (Runner(LIGHT, 128), Runner(MITSUBA_PTRACER, 256)),
         1.0,
         96,
@@ -70,7 +75,7 @@ RACES = (
     Race(
         "bdpt, glass sphere",
         _case(own("glass_sphere", "main", tessellated=True), 12),
-        Runner(BDPT, 1024),
+        BDPT,
         (Runner(BDPT, 40), Runner(LUXCORE, 40)),
         3.0,
         96,
@@ -78,7 +83,7 @@ RACES = (
     Race(
         "bdpt, lamp to the ceiling",
         _case(own("cornell_indirect", "main"), 16),
-        Runner(BDPT, 640),
+        BDPT,
         (Runner(BDPT, 32), Runner(LUXCORE, 12)),
         3.0,
         96,

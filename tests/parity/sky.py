@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from parity.plain_scene import Floats
+from support.hdr_file import write_hdr
 
 WIDTH, HEIGHT = 512, 256
 
@@ -21,7 +22,7 @@ def write_sky(file: Path) -> None:
     red = 0.4 + 0.3 * x + 12 * sun
     green = 0.4 + 0.3 * y * y + 10 * sun
     blue = 0.6 + 0.3 * z + 7 * sun
-    write_radiance(file, np.stack([red, green, blue], axis=-1))
+    write_hdr(file, np.stack([red, green, blue], axis=-1))
 
 
 def latlong_directions() -> Floats:
@@ -36,14 +37,3 @@ def latlong_directions() -> Floats:
         ],
         axis=-1,
     )
-
-
-def write_radiance(file: Path, image: Floats) -> None:
-    """An uncompressed .hdr file: 8-bit mantissas with a common exponent."""
-    height, width, _ = image.shape
-    _, exponent = np.frexp(image.max(axis=2, keepdims=True))
-    mantissas = np.rint(np.ldexp(image, 8 - exponent)).clip(0, 255)
-    pixels = np.concatenate([mantissas, exponent + 128], axis=2).astype(np.uint8)
-    header = f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n"
-    file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_bytes(header.encode() + pixels.tobytes())

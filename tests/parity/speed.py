@@ -5,22 +5,22 @@ Efficiency is 1 / (relMSE x CPU seconds): what a second buys, whatever the numbe
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 from parity.plain_scene import Floats
 from parity.processes import RendererProcess
 from parity.races import RACES, Race, Runner
-from parity.report import Results, Row, table
 from parity.tasks import Picture
+from support.machine import machine
+from support.marked_table import Row, between_markers, replace_between_markers, table, table_rows
+from support.rel_mse import RelMse, rel_mse
 
 ROUNDS = 5
-#: Pixels darker than this part of the mean count as if they had it.
-DARKEST = 0.02
-#: Part of the pixels, the worst, that the robust error leaves out.
-TRIMMED = 0.001
 
 
 @dataclass(frozen=True)
@@ -30,18 +30,17 @@ class Efficiency:
     runner: Runner
     cpu: float  #: seconds per render
     wall: float  #: seconds per render
-    error: float  #: relMSE
-    robust_error: float  #: the same without the worst pixels
+    error: RelMse
 
     @property
     def efficiency(self) -> float:
         """Per CPU second."""
-        return 1 / (self.error * self.cpu)
+        return 1 / (self.error.whole * self.cpu)
 
     @property
     def robust_efficiency(self) -> float:
         """Per CPU second."""
-        return 1 / (self.robust_error * self.cpu)
+        return 1 / (self.error.robust * self.cpu)
 
 
 def run(race: Race, effort: float) -> list[Efficiency]:
@@ -66,28 +65,17 @@ def _samples(spp: int, effort: float) -> int:
 
 
 def _reference(race: Race, effort: float) -> Floats:
-    """Long enough for its own noise not to count."""
-    with RendererProcess(race.case.task(race.reference.method, race.width)) as process:
-        return process.render(_samples(race.reference.spp, effort), 1).image
+    with RendererProcess(race.case.task(race.reference, race.width)) as process:
+        return process.render(_samples(race.reference_spp, effort), 1).image
 
 
 def _efficiency(runner: Runner, pictures: list[Picture], reference: Floats) -> Efficiency:
-    errors = [_relative_errors(picture.image, reference) for picture in pictures]
-    kept = round((1 - TRIMMED) * reference[..., 0].size)
     return Efficiency(
         runner=runner,
         cpu=float(np.mean([picture.cpu for picture in pictures])),
         wall=float(np.mean([picture.wall for picture in pictures])),
-        error=float(np.mean(errors)),
-        robust_error=float(np.mean([error[:kept].mean() for error in errors])),
+        error=rel_mse([picture.image for picture in pictures], reference),
     )
-
-
-def _relative_errors(image: Floats, reference: Floats) -> Floats:
-    """Per pixel, squared, the smallest first."""
-    squared = ((image - reference) ** 2).mean(axis=2)
-    scale = reference.mean(axis=2) ** 2 + (DARKEST * reference.mean()) ** 2
-    return np.sort((squared / scale).ravel())
 
 
 # --- table ----------------------------------------------------------------------------------------
@@ -117,9 +105,26 @@ def rows(race: Race, results: list[Efficiency]) -> list[Row]:
     return [first, *(("", "", "", *other, "", "") for other in cells[1:])]
 
 
-def results_table(results: Results) -> str:
-    """Of all races that were ever run."""
-    return table(HEAD, [line for race in RACES for line in results.get(race.name) or ()])
+def write(document: Path, rows: Sequence[Row]) -> None:
+    """Puts a race's rows into the document's table, beside the other races of this machine."""
+    known = table_rows(between_markers(document, "speed")) if is_of_this_machine(document) else []
+    races: dict[str, list[Row]] = {}
+    for row in known:
+        # Only the first row of a race names it.
+        name = row[0] or next(reversed(races))
+        races.setdefault(name, []).append(row)
+    races[rows[0][0]] = list(rows)
+    text = table(HEAD, [row for race in RACES for row in races.get(race.name, ())])
+    replace_between_markers(document, "speed", f"{_conditions()}\n\n{text}")
+
+
+def is_of_this_machine(document: Path) -> bool:
+    """Whether its table was measured here: rows of two machines are not put into one."""
+    return _conditions() in between_markers(document, "speed")
+
+
+def _conditions() -> str:
+    return f"{machine()}, two threads."
 
 
 def _cells(result: Efficiency) -> Row:
@@ -127,6 +132,6 @@ def _cells(result: Efficiency) -> Row:
         str(result.runner.method),
         f"{result.cpu:.2f}",
         f"{result.wall:.2f}",
-        f"{result.error:.3g}",
+        f"{result.error.whole:.3g}",
         f"{result.efficiency:.3g}",
     )

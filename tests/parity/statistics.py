@@ -11,7 +11,7 @@ from scipy import stats
 from parity.plain_scene import Floats
 
 BLOCK = 8  #: pixels
-#: Chance that two right renderers are told apart by the blocks of one comparison.
+#: Chance that two right renderers are told apart by the blocks of one comparison, or by its means.
 FALSE_ALARM = 1e-5
 #: Largest difference of the means, and the largest standard error that it is believed with.
 MEAN_TOLERANCE = 0.005
@@ -30,15 +30,19 @@ class Comparison:
 
     ratio: float  #: of the mean radiances, the other's over ours
     ratio_error: float  #: its standard error
+    mean_p: float  #: of Welch's t-test on the means
     block_rms: float  #: root mean square difference of the blocks, relative to the mean radiance
     expected_rms: float  #: what noise alone makes of that
     worst_z: float  #: of all blocks and channels
-    p: float  #: smallest p-value of Welch's t-test over blocks and channels, Bonferroni-corrected
+    block_p: float  #: the smallest over blocks and channels, Bonferroni-corrected
 
     @property
     def verdict(self) -> Verdict:
-        """Unresolved: the noise of the means is too large for their agreement to say much."""
-        if self.p <= FALSE_ALARM:
+        """Unresolved: the noise of the means is too large for their agreement to say much.
+
+        A difference that is certain counts however small it is.
+        """
+        if min(self.mean_p, self.block_p) <= FALSE_ALARM:
             return "differs"
         if self.ratio_error > MEAN_RESOLUTION:
             return "unresolved"
@@ -58,10 +62,11 @@ def compare(ours: Floats, other: Floats) -> Comparison:
     return Comparison(
         ratio=float(ratio),
         ratio_error=float(ratio * error),
+        mean_p=float(stats.ttest_ind(mean, other_mean, equal_var=False).pvalue),
         block_rms=float(np.sqrt((difference**2).mean()) / mean.mean()),
         expected_rms=float(np.sqrt((noise**2).mean()) / mean.mean()),
         worst_z=float(np.abs(difference[seen] / noise[seen]).max()),
-        p=min(1.0, float(p.min()) * p.size),
+        block_p=min(1.0, float(p.min()) * p.size),
     )
 
 

@@ -196,6 +196,7 @@ def test_errors(
         (["--resolution", "big"], "--resolution wants WIDTHxHEIGHT, not 'big'"),
         (["--crop", "1,2,3"], "--crop wants X0,Y0,X1,Y1"),
         (["--bits", "12", "-o", "a.png"], "--bits is 8 or 16"),
+        (["--strategy-images", "3", "-o", "a.png"], "'a.png': --strategy-images are layers of an"),
         (["--nonsense"], "--nonsense"),
     ],
 )
