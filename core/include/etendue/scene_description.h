@@ -240,7 +240,7 @@ struct LightDesc {
     std::string texture_file;     ///< rect, and dome: latlong; empty: none
     TextureColorSpace texture_color_space = TextureColorSpace::Auto;
     Axis pole_axis = Axis::Y;  ///< dome: which axis of light space the top of the texture is about; Y or Z
-    /// Rect, disk, sphere, cylinder: empty when not applied, which is no cone at all.
+    /// All but distant and dome: empty when not applied, which is no cone at all.
     std::optional<ShapingDesc> shaping;
     int shape = -1;                   ///< mesh: index into SceneDescription::shapes
     bool tinted_by_material = false;  ///< mesh: materialGlowTintsLight

@@ -10,7 +10,7 @@ namespace etendue {
 void AreaLight::shape(const Shaping& shaping) {
     const Vec3 n = flat_normal();
     const bool flat = length_squared(n) > 0;
-    beam_ = std::make_unique<Beam>(shaping, flat ? n : shaping.axis(), [this](const Vec3& w) { return silhouette(w); });
+    beam_ = std::make_unique<Beam>(shaping, flat ? n : shaping.axis(), silhouette());
     // A flat light's beam holds the cosine. Of a round one half the points turn away from any direction: the mean
     // square of its weights, in units of their squared mean, is that of a cosine of points all around a sphere,
     // (1/6) / (1/4)^2, and by the cosine it is the concentration.
