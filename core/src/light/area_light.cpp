@@ -58,7 +58,8 @@ EmissionSample AreaLight::sample_emission(const Vec2& u_point, const Vec2& u_dir
     sample.direction = diffuse ? Frame::from_normal(point.y.n).to_world(local) : beam_->sample(u_dir);
     const double cos = diffuse ? local.z : dot(sample.direction, point.y.n);
     sample.pdf = {point.pdf, diffuse ? local.z * kInvPi : beam_->pdf(sample.direction)};
-    if (!diffuse && !(cos > 0)) return sample;  // from the back nothing leaves
+    // From the back nothing leaves, nor where a rounding has carried the direction over the beam's edge.
+    if (!diffuse && !(cos > 0 && sample.pdf.pdf_dir > 0)) return sample;
     const double per_direction = diffuse ? kPi : cos / sample.pdf.pdf_dir;
     sample.weight = emitted_along(point.y, sample.direction) * (per_direction / point.pdf);
     return sample;

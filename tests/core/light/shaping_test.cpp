@@ -8,10 +8,12 @@
 #include "core/light/light_cases.h"
 #include "light/area_vectors.h"
 #include "light/beam.h"
+#include "light/emission_aim.h"
 #include "light/mesh_light.h"
 #include "light/usd_lux.h"
 #include "math/constants.h"
 #include "math/rng.h"
+#include "math/sampling.h"
 #include "support/chi2.h"
 #include "support/estimate.h"
 #include "support/scene_builder.h"
@@ -190,6 +192,21 @@ TEST(Shaping, LeaningFlatLightsLoseNoDirection) {
         const Vec3 w = normalize(n * 1e-4 + Vec3{0, 0, -1} + n * n.z);
         ASSERT_FALSE(is_black(light->radiance(y, w))) << theta;
         EXPECT_GT(light->pdf_emission(y, w).pdf_dir, 0) << theta;
+    }
+}
+
+/// Of the last directions of a hard cone, the density may already know nothing.
+TEST(Shaping, EdgesOfHardConesAreFinite) {
+    const EmissionAim aim({{{0, 0, -4}, 0.5}});
+    for (const LightCase& c : test::shaped_lights()) {
+        for (int i = 0; i < 500; ++i) {
+            const Vec2 u_point{0.7, (i + 0.5) / 500};
+            const Vec2 u_dir{kOneMinusEpsilon, (i + 0.5) / 500};
+            const EmissionSample sample = c.light->sample_emission(u_point, u_dir);
+            const EmissionSample aimed = aim.sample(*c.light, u_point, u_dir);
+            ASSERT_TRUE(std::isfinite(max_component(sample.weight))) << c.name;
+            ASSERT_TRUE(std::isfinite(max_component(aimed.weight))) << c.name;
+        }
     }
 }
 
