@@ -64,6 +64,19 @@ TEST(Sampler, SingleNumbersAreStratified) {
     }
 }
 
+/// Stratified draws are odd multiples of 2^-33, hence neither 0 nor 1.
+TEST(Sampler, StratifiedDrawsAreNeverZero) {
+    const auto odd = [](double x) { return std::fmod(std::ldexp(x, 33), 2) == 1; };
+    for (std::uint64_t index = 0; index < 100; ++index) {
+        Sampler sampler = at(1, index);
+        for (int draw = 0; draw < 10; draw += 2) {
+            ASSERT_TRUE(odd(sampler.next_1d())) << draw;
+            const Vec2 u = sampler.next_2d();
+            ASSERT_TRUE(odd(u.x) && odd(u.y)) << draw;
+        }
+    }
+}
+
 TEST(Sampler, AnyOnePathIsUniform) {
     for (std::uint64_t index : {0, 1, 6, 1000}) {
         for (int draw : {0, 3, 9, 10, 15}) {
