@@ -49,7 +49,7 @@ TEST(Shaping, FocusTintsWhatItTakesAway) {
         EXPECT_NEAR(lux_shaping(focus, theta * kDegree).r, f, 1e-12);
         EXPECT_NEAR(lux_shaping(focus, theta * kDegree).g, f + (1 - f) * 0.5, 1e-12);
     }
-    EXPECT_EQ(lux_shaping(focus, 60 * kDegree).b, 0);
+    EXPECT_NEAR(lux_shaping(focus, 60 * kDegree).b, 0.25, 1e-12);  // no less than untinted
     const ShapingDesc negative{-3, {}, 180, 0};
     EXPECT_EQ(lux_shaping(negative, 1).g, 1);
 }
