@@ -11,10 +11,10 @@
 #include "light/texture_image.h"
 #include "light/usd_lux.h"
 #include "scene/casters.h"
+#include "scene/check_material.h"
 #include "scene/interaction.h"
 #include "scene/light_triangles.h"
 #include "scene/material_glow.h"
-#include "scene/material_textures.h"
 #include "scene/media_probe.h"
 #include "texture/udim.h"
 
@@ -67,7 +67,7 @@ std::vector<TextureDesc> all_textures(const SceneDescription& description) {
 
 Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths)
     : textures_(all_textures(description)), materials_(description.materials), absorption_(materials_) {
-    for (const MaterialDesc& material : materials_) check_textures(material, description.textures.size());
+    for (const MaterialDesc& material : materials_) check_material(material, description.textures.size());
     place_shapes(description);
     place_instances(description);
     place_light_shapes(description);
