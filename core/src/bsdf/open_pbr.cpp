@@ -16,12 +16,8 @@ double modulated_ior(double ior, double specular_weight) {
     return (1 + e) / (1 - e);
 }
 
-/// Schlick's curve for an opaque base's coat: the grazing value is such that the hemispherical mean is the interface's
-/// (that of Schlick's curve is F0 + (F90 - F0) / 21), so that the highlight vanishes as ior goes to 1.
-double grazing_reflectance(double ior) {
-    const double f0 = normal_reflectance(ior);
-    return std::clamp(f0 + 21 * (mean_fresnel_dielectric(ior) - f0), f0, 1.0);
-}
+/// F90 of an interface that follows Schlick's curve.
+double coat_f90(double ior) { return grazing_reflectance(normal_reflectance(ior), mean_fresnel_dielectric(ior)); }
 
 /// OpenPBR's coat_darkening: of what the base reflects, the coat's inner side sends the part K = 1 - (1 - F0) / eta^2
 /// back to it, so that its albedo E becomes E (1 - K) / (1 - E K).
@@ -67,7 +63,7 @@ struct OpenPbr {
         const double weight = read.fraction(material.coat_weight);
         if (!(weight > 0) || coat_ior == 1) return;
         coat = {read.alpha(material.coat_roughness), weight * normal_reflectance(coat_ior),
-                weight * grazing_reflectance(coat_ior)};
+                weight * coat_f90(coat_ior)};
         const Rgb base_albedo = lerp(metalness, base, base * specular_weight);
         darkened = darkening(base_albedo, coat_ior, weight * read.fraction(material.coat_darkening));
     }
@@ -97,7 +93,7 @@ LayeredParameters layers(const OpenPbr& surface) {
     p.metal_fresnel = surface.metal();
     p.coated = (1 - surface.metalness) * (1 - surface.transmission);
     p.coat_f0 = Rgb(normal_reflectance(surface.ior));
-    p.coat_f90 = Rgb(grazing_reflectance(surface.ior));
+    p.coat_f90 = Rgb(coat_f90(surface.ior));
     p.coat_tint = surface.specular_color * surface.darkened;
     p.diffuse = surface.base * surface.darkened;
     p.diffuse_roughness = surface.diffuse_roughness;
