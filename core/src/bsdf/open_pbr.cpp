@@ -20,7 +20,7 @@ double modulated_ior(double ior, double specular_weight) {
 double coat_f90(double ior) { return grazing_reflectance(normal_reflectance(ior), mean_fresnel_dielectric(ior)); }
 
 /// OpenPBR's coat_darkening: of what the base reflects, the coat's inner side sends the part K = 1 - (1 - F0) / eta^2
-/// back to it, so that its albedo E becomes E (1 - K) / (1 - E K).
+/// back to it, so that its albedo E becomes E (1 - K) / (1 - E K). Glass sends on what comes back to it.
 Rgb darkening(const Rgb& albedo, double coat_ior, double amount) {
     const double k = std::max(0.0, 1 - (1 - normal_reflectance(coat_ior)) / (coat_ior * coat_ior));
     const auto factor = [&](double e) { return 1 - amount + amount * (1 - k) / (1 - e * k); };
@@ -43,7 +43,7 @@ struct OpenPbr {
     double ior;
     bool thin_walled;
     Clearcoat coat;
-    Rgb darkened{1};  ///< factor on everything below the coat
+    Rgb darkened{1};  ///< factor on what is opaque below the coat
 
     OpenPbr(const OpenPbrMaterial& material, const InputReader& read)
         : base(read.reflectance(material.base_color) * read.fraction(material.base_weight)),
@@ -81,7 +81,7 @@ struct OpenPbr {
 
     [[nodiscard]] Dielectric glass() const {
         const Rgb tint = clear_surface ? Rgb(1) : transmission_color;
-        return Dielectric(ior, alpha, specular_color * darkened, tint * darkened, thin_walled);
+        return Dielectric(ior, alpha, specular_color, tint, thin_walled);
     }
 };
 
@@ -120,10 +120,12 @@ BsdfModel make_model(const OpenPbrMaterial& material, const InputReader& read) {
 Rgb albedo(const OpenPbrMaterial& material, const InputReader& read) {
     const OpenPbr surface(material, read);
     const double f0 = normal_reflectance(surface.ior);
-    const Rgb below = lerp(surface.transmission, surface.base, surface.transmission_color);
-    const Rgb dielectric = surface.specular_color * f0 + below * (1 - f0);
-    const Rgb substrate = lerp(surface.metalness, dielectric, surface.base * surface.specular_weight);
-    return Rgb(surface.coat.f0) + substrate * surface.darkened * (1 - surface.coat.f0);
+    const Rgb highlight = surface.specular_color * f0;
+    const Rgb opaque = (highlight + surface.base * (1 - f0)) * surface.darkened;
+    const Rgb glass = highlight + surface.transmission_color * (1 - f0);
+    const Rgb metal = surface.base * surface.specular_weight * surface.darkened;
+    const Rgb substrate = lerp(surface.metalness, lerp(surface.transmission, opaque, glass), metal);
+    return Rgb(surface.coat.f0) + substrate * (1 - surface.coat.f0);
 }
 
 }  // namespace etendue
