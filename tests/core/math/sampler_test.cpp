@@ -43,7 +43,7 @@ TEST(Sampler, PairsAreANet) {
         for (int draw = 0; draw < 4; ++draw) {
             for (int k = 0; k <= 10; ++k) {
                 const std::uint64_t count = std::uint64_t{1} << k;
-                for (std::uint64_t block : {0, 1, 5}) {
+                for (std::uint64_t block : {0U, 1U, 5U}) {
                     const std::vector<Vec2> net = points(sequence, block * count, count, draw);
                     for (int a = 0; a <= k; ++a) ASSERT_TRUE(one_in_each_box(net, a, k - a)) << k << ' ' << a;
                 }
@@ -78,7 +78,7 @@ TEST(Sampler, StratifiedDrawsAreNeverZero) {
 }
 
 TEST(Sampler, AnyOnePathIsUniform) {
-    for (std::uint64_t index : {0, 1, 6, 1000}) {
+    for (std::uint64_t index : {0U, 1U, 6U, 1000U}) {
         for (int draw : {0, 3, 9, 10, 15}) {
             std::uint64_t sequence = 0;
             const PlaneSampler sample = [&](Rng&) { return points(sequence++, index, 1, draw).front(); };
