@@ -71,6 +71,18 @@ def test_rect_texture(build: StageBuilder, sky: Path) -> None:
     assert contents.warnings == ()
 
 
+@pytest.mark.parametrize("kind", ["RectLight", "DomeLight"])
+def test_udim_texture_is_left_out(build: StageBuilder, tmp_path: Path, kind: str) -> None:
+    (tmp_path / "tile.1001.hdr").touch()
+    build.stage.GetRootLayer().Export(str(tmp_path / "stage.usda"))
+    build = StageBuilder(Usd.Stage.Open(str(tmp_path / "stage.usda")))
+    prim = build.light(kind)
+    prim.GetAttribute("inputs:texture:file").Set(Sdf.AssetPath("./tile.<UDIM>.hdr"))
+    contents = build.read()
+    assert contents.scene.lights[0].texture_file == ""
+    assert "/Light: texture file './tile.<UDIM>.hdr' is a UDIM set" in warning_texts(contents)
+
+
 @pytest.mark.parametrize("kind", ["DomeLight", "DomeLight_1"])
 def test_dome(build: StageBuilder, kind: str) -> None:
     build.light(kind, color=(0.25, 0.5, 0.75))

@@ -268,6 +268,25 @@ def test_open_pbr_absorption(build: StageBuilder) -> None:
     assert contents.warnings == ()
 
 
+@pytest.mark.parametrize(
+    ("inputs", "warned"),
+    [
+        ({"transmission_weight": 1.0}, True),
+        ({"transmission_weight": 1.0, "geometry_thin_walled": True}, False),
+        ({}, False),
+    ],
+)
+def test_open_pbr_textured_absorption(
+    build: StageBuilder, picture: Path, inputs: dict[str, Any], warned: bool
+) -> None:
+    surface = bound(build, OPEN_PBR, transmission_depth=2.5, **inputs)
+    image = build.node("ND_image_color3", "/Material/Image", file=Sdf.AssetPath(str(picture)))
+    surface.CreateInput("transmission_color", Types.Color3f).ConnectToSource(
+        image.CreateOutput("out", Types.Color3f)
+    )
+    assert ("textured transmission_color" in warning_texts(build.read())) == warned
+
+
 def test_open_pbr_unsupported_inputs(build: StageBuilder) -> None:
     for path in ("/A", "/B"):
         build.material(
@@ -275,6 +294,7 @@ def test_open_pbr_unsupported_inputs(build: StageBuilder) -> None:
             path,
             coat_weight=0.5,
             coat_color=(1.0, 0.5, 0.0),
+            geometry_coat_normal=(0.6, 0.0, 0.8),
             thin_film_weight=0.0,
             transmission_scatter=(0.1, 0.0, 0.0),
             fuzz_color=(1.0, 0.0, 0.0),
@@ -284,15 +304,17 @@ def test_open_pbr_unsupported_inputs(build: StageBuilder) -> None:
     contents = build.read()
     assert [(warning.path, warning.count) for warning in contents.warnings] == [
         ("/A/Surface", 2)
-    ] * 3
+    ] * 4
     text = warning_texts(contents)
     assert "'transmission_scatter' is not supported; rendered without it" in text
     assert "'coat_color' is not supported; rendered without it" in text
+    assert "'geometry_coat_normal'" in text
     assert "'subsurface_weight'" in text
 
 
 def test_open_pbr_coat_inputs_mean_nothing_without_a_coat(build: StageBuilder) -> None:
-    bound(build, OPEN_PBR, coat_color=(1.0, 0.5, 0.0), coat_roughness=0.5)
+    coat = {"coat_color": (1.0, 0.5, 0.0), "geometry_coat_normal": (0.6, 0.0, 0.8)}
+    bound(build, OPEN_PBR, coat_roughness=0.5, **coat)
     contents = build.read()
     assert open_pbr(contents).coat_roughness.value == 0.5
     assert contents.warnings == ()
@@ -626,8 +648,9 @@ def test_materialx_image(build: StageBuilder, picture: Path) -> None:
     assert contents.warnings == ()
 
 
-def test_materialx_normal_map(build: StageBuilder, picture: Path) -> None:
-    surface = bound(build, OPEN_PBR)
+@pytest.mark.parametrize("coat", [0.0, 0.5])
+def test_materialx_normal_map(build: StageBuilder, picture: Path, coat: float) -> None:
+    surface = bound(build, OPEN_PBR, coat_weight=coat)
     image = build.node("ND_image_vector3", "/Material/Image", file=Sdf.AssetPath(str(picture)))
     normal = build.node(
         "ND_normalmap", "/Material/Normal", **{"in": image.CreateOutput("out", Types.Vector3f)}
@@ -641,6 +664,7 @@ def test_materialx_normal_map(build: StageBuilder, picture: Path) -> None:
     assert texture.scale[:3] == [2, 2, 2]
     assert texture.bias[:3] == [-1, -1, -1]
     assert texture.color_space == _core.TextureColorSpace.Raw
+    assert ("bumps the coat as well" in warning_texts(contents)) == (coat > 0)
 
 
 def test_emission_texture_is_scaled_by_the_luminance(build: StageBuilder, picture: Path) -> None:

@@ -240,7 +240,7 @@ struct LightDesc {
     std::string texture_file;     ///< rect, and dome: latlong; empty: none
     TextureColorSpace texture_color_space = TextureColorSpace::Auto;
     Axis pole_axis = Axis::Y;  ///< dome: which axis of light space the top of the texture is about; Y or Z
-    /// Rect, disk, sphere, cylinder: empty when not applied, which is no cone at all.
+    /// All but distant and dome: empty when not applied, which is no cone at all.
     std::optional<ShapingDesc> shaping;
     int shape = -1;                   ///< mesh: index into SceneDescription::shapes
     bool tinted_by_material = false;  ///< mesh: materialGlowTintsLight
@@ -260,7 +260,8 @@ enum class CameraProjection { Perspective, Orthographic };
 
 /// A UsdGeomCamera. Apertures and focal length are in tenths of a scene unit, distances in scene units. The camera
 /// looks down its -Z with +Y up. Orthographic: the apertures are the width and height of what is seen, from the
-/// camera's own plane on; focal length, f-stop and focus distance have no meaning.
+/// camera's own plane on; focal length, f-stop and focus distance have no meaning. The body that
+/// holds the camera's position, if any, is taken to hold all of that plane.
 struct CameraDesc {
     std::string name;
     CameraProjection projection = CameraProjection::Perspective;

@@ -4,11 +4,10 @@
 
 #include "bsdf/fresnel.h"
 #include "bsdf/microfacet_reflection.h"
+#include "math/frame.h"
 
 namespace etendue {
 namespace {
-
-Vec3 flip(const Vec3& w) { return {w.x, w.y, -w.z}; }
 
 double squared(double x) { return x * x; }
 

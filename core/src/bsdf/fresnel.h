@@ -61,6 +61,10 @@ inline double mean_fresnel_dielectric(double eta) {
            2 * n2 * eta * (n2 + 2 * eta - 1) / (a * b) + 8 * n4 * (n4 + 1) / (a * b * b) * std::log(eta);
 }
 
+/// Schlick's curve has the mean F0 + (F90 - F0) / 21 over the hemisphere: the grazing value that gives it this one. So
+/// does the highlight of a dielectric vanish as its index goes to 1.
+inline double grazing_reflectance(double f0, double mean) { return std::clamp(f0 + 21 * (mean - f0), f0, 1.0); }
+
 /// Schlick's reflectance between f0 (normal) and f90 (grazing), less `dip` c (1 - c)^6: OpenPBR's "F82-tint", which
 /// colours a metal near 82 degrees.
 struct SchlickFresnel {

@@ -17,6 +17,8 @@ Rgb absorption(const ColorInput& color, double depth) {
     return {coefficient(color.value[0], depth), coefficient(color.value[1], depth), coefficient(color.value[2], depth)};
 }
 
+bool is_all(const FloatInput& input) { return input.texture < 0 && input.value >= 1; }
+
 template <typename Opaque>
 std::optional<Rgb> interior(const Opaque&) {
     return {};
@@ -29,14 +31,14 @@ std::optional<Rgb> interior(const DielectricMaterial& m) {
 
 std::optional<Rgb> interior(const OpenPbrMaterial& m) {
     if (m.transmission_weight.texture < 0 && !(m.transmission_weight.value > 0)) return {};
-    if (m.geometry_thin_walled) return {};
+    if (m.geometry_thin_walled || is_all(m.base_metalness)) return {};
     return absorption(m.transmission_color, m.transmission_depth);
 }
 
 /// What is cut out, or only partly there, is no body.
 std::optional<Rgb> interior(const PreviewSurfaceMaterial& m) {
     if (m.opacity_threshold > 0 || m.opacity_mode == PreviewOpacityMode::Presence) return {};
-    if (m.opacity.texture < 0 && m.opacity.value >= 1) return {};
+    if (is_all(m.opacity) || (!m.use_specular_workflow && is_all(m.metallic))) return {};
     return Rgb();
 }
 

@@ -6,6 +6,7 @@
 #include "bsdf/microfacet_reflection.h"
 #include "bsdf/rough_diffuse.h"
 #include "bsdf/specular_albedo.h"
+#include "math/frame.h"
 #include "math/sampling.h"
 
 namespace etendue {
@@ -13,8 +14,6 @@ namespace {
 
 /// A coat that lets through less than this hides its base.
 constexpr double kOpaqueCoat = 1e-6;
-
-Vec3 flip(const Vec3& w) { return {w.x, w.y, -w.z}; }
 
 double base_scale(double diffuse, double mean_transmittance) {
     return mean_transmittance > kOpaqueCoat ? diffuse / mean_transmittance : 0;

@@ -16,15 +16,11 @@ double modulated_ior(double ior, double specular_weight) {
     return (1 + e) / (1 - e);
 }
 
-/// Schlick's curve for an opaque base's coat: the grazing value is such that the hemispherical mean is the interface's
-/// (that of Schlick's curve is F0 + (F90 - F0) / 21), so that the highlight vanishes as ior goes to 1.
-double grazing_reflectance(double ior) {
-    const double f0 = normal_reflectance(ior);
-    return std::clamp(f0 + 21 * (mean_fresnel_dielectric(ior) - f0), f0, 1.0);
-}
+/// F90 of an interface that follows Schlick's curve.
+double coat_f90(double ior) { return grazing_reflectance(normal_reflectance(ior), mean_fresnel_dielectric(ior)); }
 
 /// OpenPBR's coat_darkening: of what the base reflects, the coat's inner side sends the part K = 1 - (1 - F0) / eta^2
-/// back to it, so that its albedo E becomes E (1 - K) / (1 - E K).
+/// back to it, so that its albedo E becomes E (1 - K) / (1 - E K). Glass sends on what comes back to it.
 Rgb darkening(const Rgb& albedo, double coat_ior, double amount) {
     const double k = std::max(0.0, 1 - (1 - normal_reflectance(coat_ior)) / (coat_ior * coat_ior));
     const auto factor = [&](double e) { return 1 - amount + amount * (1 - k) / (1 - e * k); };
@@ -47,7 +43,7 @@ struct OpenPbr {
     double ior;
     bool thin_walled;
     Clearcoat coat;
-    Rgb darkened{1};  ///< factor on everything below the coat
+    Rgb darkened{1};  ///< factor on what is opaque below the coat
 
     OpenPbr(const OpenPbrMaterial& material, const InputReader& read)
         : base(read.reflectance(material.base_color) * read.fraction(material.base_weight)),
@@ -67,7 +63,7 @@ struct OpenPbr {
         const double weight = read.fraction(material.coat_weight);
         if (!(weight > 0) || coat_ior == 1) return;
         coat = {read.alpha(material.coat_roughness), weight * normal_reflectance(coat_ior),
-                weight * grazing_reflectance(coat_ior)};
+                weight * coat_f90(coat_ior)};
         const Rgb base_albedo = lerp(metalness, base, base * specular_weight);
         darkened = darkening(base_albedo, coat_ior, weight * read.fraction(material.coat_darkening));
     }
@@ -85,7 +81,7 @@ struct OpenPbr {
 
     [[nodiscard]] Dielectric glass() const {
         const Rgb tint = clear_surface ? Rgb(1) : transmission_color;
-        return Dielectric(ior, alpha, specular_color * darkened, tint * darkened, thin_walled);
+        return Dielectric(ior, alpha, specular_color, tint, thin_walled);
     }
 };
 
@@ -97,7 +93,7 @@ LayeredParameters layers(const OpenPbr& surface) {
     p.metal_fresnel = surface.metal();
     p.coated = (1 - surface.metalness) * (1 - surface.transmission);
     p.coat_f0 = Rgb(normal_reflectance(surface.ior));
-    p.coat_f90 = Rgb(grazing_reflectance(surface.ior));
+    p.coat_f90 = Rgb(coat_f90(surface.ior));
     p.coat_tint = surface.specular_color * surface.darkened;
     p.diffuse = surface.base * surface.darkened;
     p.diffuse_roughness = surface.diffuse_roughness;
@@ -124,10 +120,12 @@ BsdfModel make_model(const OpenPbrMaterial& material, const InputReader& read) {
 Rgb albedo(const OpenPbrMaterial& material, const InputReader& read) {
     const OpenPbr surface(material, read);
     const double f0 = normal_reflectance(surface.ior);
-    const Rgb below = lerp(surface.transmission, surface.base, surface.transmission_color);
-    const Rgb dielectric = surface.specular_color * f0 + below * (1 - f0);
-    const Rgb substrate = lerp(surface.metalness, dielectric, surface.base * surface.specular_weight);
-    return Rgb(surface.coat.f0) + substrate * surface.darkened * (1 - surface.coat.f0);
+    const Rgb highlight = surface.specular_color * f0;
+    const Rgb opaque = (highlight + surface.base * (1 - f0)) * surface.darkened;
+    const Rgb glass = highlight + surface.transmission_color * (1 - f0);
+    const Rgb metal = surface.base * surface.specular_weight * surface.darkened;
+    const Rgb substrate = lerp(surface.metalness, lerp(surface.transmission, opaque, glass), metal);
+    return Rgb(surface.coat.f0) + substrate * (1 - surface.coat.f0);
 }
 
 }  // namespace etendue

@@ -7,20 +7,13 @@
 #include "bsdf/fresnel.h"
 #include "bsdf/microfacet_reflection.h"
 #include "bsdf/specular_albedo.h"
+#include "math/frame.h"
 
 namespace etendue {
 namespace {
 
-Vec3 flip(const Vec3& w) { return {w.x, w.y, -w.z}; }
-
 /// R' of R: with all reflections inside the slab.
 double slab(double reflectance) { return 2 * reflectance / (1 + reflectance); }
-
-/// The grazing value that gives Schlick's curve, whose mean is F0 + (F90 - F0) / 21, the slab's mean reflectance, so
-/// that the slab vanishes as ior goes to 1.
-double grazing_reflectance(double ior, double f0) {
-    return std::clamp(f0 + 21 * (slab(mean_fresnel_dielectric(ior)) - f0), f0, 1.0);
-}
 
 /// Roughness shows only on a face that reflects or bends.
 double effective_alpha(double ior, double alpha) { return ior == 1 ? 0 : alpha; }
@@ -32,7 +25,7 @@ ThinDielectric::ThinDielectric(double ior, double alpha, const Rgb& reflection_t
       alpha_(effective_alpha(ior, alpha)),
       transmission_alpha_(std::min(1.0, alpha_ * std::abs(ior - 1) / std::numbers::sqrt2)),
       f0_(slab(normal_reflectance(ior))),
-      f90_(has_non_delta() ? grazing_reflectance(ior, f0_) : 1),
+      f90_(has_non_delta() ? grazing_reflectance(f0_, slab(mean_fresnel_dielectric(ior))) : 1),
       reflection_tint_(reflection_tint),
       transmission_tint_(transmission_tint) {}
 

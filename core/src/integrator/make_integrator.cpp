@@ -11,6 +11,10 @@ constexpr StrategySet kLightImageOnly{
 
 }  // namespace
 
+bool traces_light_paths(const RenderSettings& settings) {
+    return settings.integrator != IntegratorKind::Path && settings.light_paths_per_pixel > 0;
+}
+
 std::unique_ptr<Integrator> make_integrator(const RenderContext& context) {
     switch (context.settings.integrator) {
         case IntegratorKind::Path:

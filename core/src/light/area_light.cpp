@@ -10,7 +10,7 @@ namespace etendue {
 void AreaLight::shape(const Shaping& shaping) {
     const Vec3 n = flat_normal();
     const bool flat = length_squared(n) > 0;
-    beam_ = std::make_unique<Beam>(shaping, flat ? n : shaping.axis(), [this](const Vec3& w) { return silhouette(w); });
+    beam_ = std::make_unique<Beam>(shaping, flat ? n : shaping.axis(), silhouette());
     // A flat light's beam holds the cosine. Of a round one half the points turn away from any direction: the mean
     // square of its weights, in units of their squared mean, is that of a cosine of points all around a sphere,
     // (1/6) / (1/4)^2, and by the cosine it is the concentration.
@@ -58,7 +58,8 @@ EmissionSample AreaLight::sample_emission(const Vec2& u_point, const Vec2& u_dir
     sample.direction = diffuse ? Frame::from_normal(point.y.n).to_world(local) : beam_->sample(u_dir);
     const double cos = diffuse ? local.z : dot(sample.direction, point.y.n);
     sample.pdf = {point.pdf, diffuse ? local.z * kInvPi : beam_->pdf(sample.direction)};
-    if (!diffuse && !(cos > 0)) return sample;  // from the back nothing leaves
+    // From the back nothing leaves, nor where a rounding has carried the direction over the beam's edge.
+    if (!diffuse && !(cos > 0 && sample.pdf.pdf_dir > 0)) return sample;
     const double per_direction = diffuse ? kPi : cos / sample.pdf.pdf_dir;
     sample.weight = emitted_along(point.y, sample.direction) * (per_direction / point.pdf);
     return sample;

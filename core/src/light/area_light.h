@@ -36,8 +36,9 @@ protected:
 
     /// Its mean over the area.
     [[nodiscard]] virtual Rgb mean_emitted() const { return radiance_; }
-    /// Area seen from afar along the unit vector w, towards which it shines.
-    [[nodiscard]] virtual double silhouette(const Vec3& w) const = 0;
+    /// What tells the area seen from afar, or about what; never nothing where anything is seen. Lives as long as the
+    /// light.
+    [[nodiscard]] virtual Beam::Silhouette silhouette() const = 0;
     /// The normal of a flat light; zero when there are many.
     [[nodiscard]] virtual Vec3 flat_normal() const { return {}; }
     /// `bounds` of the plain light, with the cone of a narrow shaping.

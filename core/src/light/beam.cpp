@@ -36,8 +36,6 @@ double mean_silhouette(const Frame& frame, double theta, const Beam::Silhouette&
     return sum / kAzimuths;
 }
 
-double total(const Rgb& color) { return color.r + color.g + color.b; }
-
 struct Node {
     double x;
     double weight;

@@ -83,9 +83,11 @@ AreaLight::PointSample CylinderLight::sample_point(const Vec2& u) const {
 
 double CylinderLight::pdf_point(const LightPoint& y) const { return 1 / (4 * kPi * area_scale(unit_normal(y))); }
 
-double CylinderLight::silhouette(const Vec3& w) const {
-    const Vec3 v = world_from_unit_.inverse_vector(w);
-    return 4 * std::abs(world_from_unit_.determinant()) * std::hypot(v.y, v.z);
+Beam::Silhouette CylinderLight::silhouette() const {
+    return [this](const Vec3& w) {
+        const Vec3 v = world_from_unit_.inverse_vector(w);
+        return 4 * std::abs(world_from_unit_.determinant()) * std::hypot(v.y, v.z);
+    };
 }
 
 std::optional<LightBounds> CylinderLight::bounds() const {

@@ -21,7 +21,7 @@ public:
 protected:
     [[nodiscard]] PointSample sample_point(const Vec2& u) const override;
     [[nodiscard]] double pdf_point(const LightPoint& y) const override;
-    [[nodiscard]] double silhouette(const Vec3& w) const override;
+    [[nodiscard]] Beam::Silhouette silhouette() const override;
 
 private:
     /// The arc of the unit tube, -1 <= x <= 1 and y^2 + z^2 = 1, that a receiver sees.

@@ -16,7 +16,9 @@ public:
 protected:
     [[nodiscard]] PointSample sample_point(const Vec2& u) const override;
     [[nodiscard]] double pdf_point(const LightPoint& y) const override;
-    [[nodiscard]] double silhouette(const Vec3& w) const override { return area() * std::max(0.0, dot(n_, w)); }
+    [[nodiscard]] Beam::Silhouette silhouette() const override {
+        return [this](const Vec3& w) { return area() * std::max(0.0, dot(n_, w)); };
+    }
     [[nodiscard]] Vec3 flat_normal() const override { return n_; }
 
 private:

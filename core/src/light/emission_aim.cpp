@@ -129,7 +129,7 @@ EmissionSample EmissionAim::sample(const Light& light, const Vec2& u_point, cons
     }
     const double own_pdf = sample.pdf.pdf_dir;
     sample.pdf.pdf_dir = mixed_pdf(aimed, light.infinite(), own_pdf, sample.direction, sample.origin);
-    sample.weight *= own_pdf / sample.pdf.pdf_dir;  // was by its own density
+    sample.weight *= sample.pdf.pdf_dir > 0 ? own_pdf / sample.pdf.pdf_dir : 0;  // was by its own density
     return sample;
 }
 

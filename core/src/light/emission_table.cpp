@@ -29,10 +29,10 @@ std::vector<Rgb> filtered_row(const EmissionImage& image, int row, bool wraps) {
     std::vector<Rgb> texels;
     texels.reserve(static_cast<std::size_t>(width));
     for (int x = 0; x < width; ++x) {
-        texels.push_back(image.at({(x + 0.5) / width, 1 - (row + 0.5) / image.height()}));
+        texels.push_back(image.texel(x, row));
         const Rgb& texel = texels.back();
-        if (!std::isfinite(texel.r + texel.g + texel.b)) {
-            throw SceneError("its texture has a texel that is not finite at or next to (" + std::to_string(x) + ", " +
+        if (!std::isfinite(total(texel))) {
+            throw SceneError("its texture has a texel that is not finite at (" + std::to_string(x) + ", " +
                              std::to_string(row) + ")");
         }
     }
@@ -67,8 +67,7 @@ EmissionTable::EmissionTable(const EmissionImage& image, const std::vector<RowWe
             const auto i = static_cast<std::size_t>(x);
             const Rgb texel =
                 (above[i] * measure.above + own[i] * measure.own + below[i] * measure.below) / double(width_);
-            // All channels count alike: blue light must not be starved for its low luminance.
-            weight[x / texels_per_cell_] += texel.r + texel.g + texel.b;
+            weight[x / texels_per_cell_] += total(texel);
             integral_ += texel;
         }
         above = std::move(own);

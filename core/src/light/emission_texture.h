@@ -17,6 +17,8 @@ class EmissionImage : public EmissionTexture {
 public:
     [[nodiscard]] virtual int width() const = 0;
     [[nodiscard]] virtual int height() const = 0;
+    /// Exactly that texel, as no st could ask for it.
+    [[nodiscard]] virtual Rgb texel(int x, int y) const = 0;
 };
 
 }  // namespace etendue

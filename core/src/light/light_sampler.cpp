@@ -10,9 +10,6 @@
 namespace etendue {
 namespace {
 
-/// All channels count alike: a blue light must not be starved for its low luminance.
-double total(const Rgb& power) { return power.r + power.g + power.b; }
-
 std::vector<double> half_even(const std::vector<double>& powers) {
     double sum = 0;
     double lit = 0;

@@ -187,7 +187,8 @@ struct LightTree::Builder {
         LightBounds bounds = items[begin].bounds;
         if (end - begin == 1) {
             nodes[index].light = items[begin].light;
-            nodes[index].intensity = items[begin].power / bounds.emission_measure();
+            // Of the narrowest cones the measure rounds to 0, and an infinite share is none at all.
+            nodes[index].intensity = items[begin].power / std::max(bounds.emission_measure(), 1e-14);
             trails[static_cast<std::size_t>(items[begin].light)] = trail;
         } else {
             const std::size_t cut = split(begin, end, level);

@@ -60,6 +60,7 @@ EmissionSample LineLight::sample_emission(const Vec2& u_point, const Vec2& u_dir
         sample.weight = lineic_radiance_ * (kPi * kPi * length_);  // the sine cancels
         return sample;
     }
+    if (!(sample.pdf.pdf_dir > 0)) return sample;  // a rounding has carried it over the beam's edge
     sample.weight = lineic_radiance_ * beam_->factor(sample.direction) *
                     (sin_to_axis(sample.direction) * length_ / sample.pdf.pdf_dir);
     return sample;

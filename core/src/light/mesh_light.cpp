@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "light/area_vectors.h"
 #include "light/point_error.h"
 #include "math/constants.h"
 
@@ -56,10 +57,12 @@ Rgb MeshLight::emitted(const LightPoint& y) const {
     return texture_ ? base_radiance() * texture_->at(y.st) : base_radiance();
 }
 
-double MeshLight::silhouette(const Vec3& w) const {
-    double sum = 0;
-    for (const LightTriangle& t : triangles_) sum += std::max(0.0, dot(area_vector(t), w)) / 2;
-    return sum;
+Beam::Silhouette MeshLight::silhouette() const {
+    AreaVectors facets;
+    for (const LightTriangle& t : triangles_) facets.add(area_vector(t) / 2);
+    // The sums may miss the last facet that shines along w, and a beam the edge of a flat mesh that leans.
+    const double least = 1e-3 * area();
+    return [facets = std::move(facets), least](const Vec3& w) { return std::max(least, facets.seen_along(w)); };
 }
 
 Rgb MeshLight::estimate_mean() const {

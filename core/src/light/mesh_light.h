@@ -33,7 +33,7 @@ protected:
     [[nodiscard]] Rgb emitted(const LightPoint& y) const override;
     /// With a texture, an estimate from fixed points. Never zero unless the radiance is.
     [[nodiscard]] Rgb mean_emitted() const override { return mean_emitted_; }
-    [[nodiscard]] double silhouette(const Vec3& w) const override;
+    [[nodiscard]] Beam::Silhouette silhouette() const override;
 
 private:
     [[nodiscard]] Rgb estimate_mean() const;

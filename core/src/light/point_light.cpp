@@ -43,6 +43,7 @@ EmissionSample PointLight::sample_emission(const Vec2&, const Vec2& u_dir) const
     sample.origin = position_;
     sample.direction = beam_ ? beam_->sample(u_dir) : sample_uniform_sphere(u_dir);
     sample.pdf = pdf_emission(sample.y, sample.direction);
+    if (!(sample.pdf.pdf_dir > 0)) return sample;  // a rounding has carried it over the beam's edge
     sample.weight = intensity_ / sample.pdf.pdf_dir;
     if (beam_) sample.weight *= beam_->factor(sample.direction);
     return sample;

@@ -35,7 +35,9 @@ protected:
     [[nodiscard]] double pdf_point(const LightPoint& y) const override;
     [[nodiscard]] Rgb emitted(const LightPoint& y) const override;
     [[nodiscard]] Rgb mean_emitted() const override;
-    [[nodiscard]] double silhouette(const Vec3& w) const override { return area() * std::max(0.0, dot(n_, w)); }
+    [[nodiscard]] Beam::Silhouette silhouette() const override {
+        return [this](const Vec3& w) { return area() * std::max(0.0, dot(n_, w)); };
+    }
     [[nodiscard]] Vec3 flat_normal() const override { return n_; }
 
 private:

@@ -93,8 +93,10 @@ AreaLight::PointSample SphereLight::sample_point(const Vec2& u) const {
 
 double SphereLight::pdf_point(const LightPoint& y) const { return 1 / (4 * kPi * area_scale(unit_sphere_point(y))); }
 
-double SphereLight::silhouette(const Vec3& w) const {
-    return kPi * std::abs(world_from_unit_.determinant()) * length(world_from_unit_.inverse_vector(w));
+Beam::Silhouette SphereLight::silhouette() const {
+    return [this](const Vec3& w) {
+        return kPi * std::abs(world_from_unit_.determinant()) * length(world_from_unit_.inverse_vector(w));
+    };
 }
 
 std::optional<LightBounds> SphereLight::bounds() const {

@@ -12,16 +12,18 @@ public:
     TextureImage(const TextureSet& textures, int texture)
         : textures_(textures), texture_(texture), resolution_(textures.resolution(texture)) {}
 
-    [[nodiscard]] Rgb at(const Vec2& st) const override {
-        const TextureSet::Value value = textures_.lookup(texture_, st.x, st.y);
-        // Not std::max: a texel that is no number must stay one, to be found.
-        const auto positive = [](double x) { return x < 0 ? 0 : x; };
-        return {positive(value[0]), positive(value[1]), positive(value[2])};
-    }
+    [[nodiscard]] Rgb at(const Vec2& st) const override { return emission(textures_.lookup(texture_, st.x, st.y)); }
+    [[nodiscard]] Rgb texel(int x, int y) const override { return emission(textures_.texel(texture_, x, y)); }
     [[nodiscard]] int width() const override { return resolution_.width; }
     [[nodiscard]] int height() const override { return resolution_.height; }
 
 private:
+    static Rgb emission(const TextureSet::Value& value) {
+        // Not std::max: a texel that is no number must stay one, to be found.
+        const auto positive = [](double x) { return x < 0 ? 0 : x; };
+        return {positive(value[0]), positive(value[1]), positive(value[2])};
+    }
+
     const TextureSet& textures_;
     int texture_;
     TextureSet::Resolution resolution_;

@@ -78,7 +78,7 @@ Rgb lux_shaping(const ShapingDesc& shaping, double theta) {
     }
     if (!(shaping.focus > 0)) return Rgb(cone);
     const double f = std::pow(std::abs(std::cos(theta)), shaping.focus);
-    const auto tinted = [f](double tint) { return std::max(0.0, f + (1 - f) * tint); };
+    const auto tinted = [f](double tint) { return f + (1 - f) * std::max(0.0, tint); };
     const Color& tint = shaping.focus_tint;
     return Rgb{tinted(tint[0]), tinted(tint[1]), tinted(tint[2])} * cone;
 }

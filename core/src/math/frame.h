@@ -26,4 +26,7 @@ struct Frame {
     [[nodiscard]] Vec3 to_world(const Vec3& v) const { return s * v.x + t * v.y + n * v.z; }
 };
 
+/// The direction mirrored at the surface: that far beyond it.
+inline Vec3 flip(const Vec3& w_local) { return {w_local.x, w_local.y, -w_local.z}; }
+
 }  // namespace etendue

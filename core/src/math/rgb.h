@@ -48,6 +48,8 @@ constexpr Rgb operator/(const Rgb& a, double s) { return a * (1 / s); }
 constexpr Rgb lerp(double t, const Rgb& a, const Rgb& b) { return a * (1 - t) + b * t; }
 
 constexpr bool is_black(const Rgb& c) { return c.r == 0 && c.g == 0 && c.b == 0; }
+/// What light is chosen by. All channels count alike: blue light must not be starved for its low luminance.
+constexpr double total(const Rgb& c) { return c.r + c.g + c.b; }
 inline double max_component(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
 
 }  // namespace etendue

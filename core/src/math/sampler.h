@@ -44,7 +44,8 @@ private:
     /// Beyond, evenness is lost in the noise of what came before, and independent numbers cost less.
     static constexpr int kStratified = 10;
 
-    static double to_unit(std::uint32_t x) { return x * 0x1p-32; }
+    /// The middle of one of 2^32 intervals. Its lower end could be 0, where a cosine and its density vanish.
+    static double to_unit(std::uint32_t x) { return (x + 0.5) * 0x1p-32; }
     static std::uint32_t high(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }
     static std::uint32_t low(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
 

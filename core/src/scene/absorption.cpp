@@ -17,15 +17,19 @@ double left(double mu, double distance) { return mu > 0 ? std::exp(-mu * distanc
 }  // namespace
 
 Absorption::Absorption(const std::vector<MaterialDesc>& materials) : of_material_(materials.size()) {
+    std::vector<std::optional<Rgb>> insides;
+    for (const MaterialDesc& material : materials) {
+        insides.push_back(interior_absorption(material));
+        if (insides.back() && !is_black(*insides.back())) any_ = true;
+    }
+    if (!any_) return;
     for (std::size_t i = 0; i < materials.size(); ++i) {
-        const std::optional<Rgb> mu = interior_absorption(materials[i]);
-        if (!mu) continue;
+        if (!insides[i]) continue;
         if (coefficients_.size() > std::numeric_limits<MediumId>::max()) {
             throw SceneError(materials[i].name + ": too many transparent materials");
         }
         of_material_[i] = static_cast<MediumId>(coefficients_.size());
-        coefficients_.push_back(*mu);
-        if (!is_black(*mu)) any_ = true;
+        coefficients_.push_back(*insides[i]);
     }
 }
 

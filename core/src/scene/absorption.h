@@ -16,13 +16,13 @@ namespace etendue {
 /// the contribution alone.
 class Absorption {
 public:
-    /// Throws SceneError when there are more kinds of bodies than a MediumId tells apart.
+    /// Throws SceneError when something absorbs and there are more kinds of bodies than a MediumId tells apart.
     explicit Absorption(const std::vector<MaterialDesc>& materials);
 
     /// False: everything is clear, and nobody needs to know in which body a point lies.
     [[nodiscard]] bool any() const { return any_; }
 
-    /// The inside that the surface bounds; 0 when it bounds none.
+    /// The inside that the surface bounds; 0 when it bounds none, or nothing absorbs.
     [[nodiscard]] MediumId medium(const SurfaceInteraction& si) const {
         return si.material < 0 ? MediumId{0} : of_material_[static_cast<std::size_t>(si.material)];
     }

@@ -44,41 +44,29 @@ bool is_caster(const PlacedShape& shape, std::size_t slot, const std::vector<boo
     return material >= 0 && focusing[static_cast<std::size_t>(material)];
 }
 
-std::optional<Sphere> around(const std::vector<Vec3>& points) {
-    if (points.empty()) return {};
-    Vec3 lower = points[0];
-    Vec3 upper = points[0];
-    for (const Vec3& p : points) {
-        lower = min(lower, p);
-        upper = max(upper, p);
+/// Calls visit(corner) for all corners of the triangles in these slots.
+template <typename Visit>
+void for_each_corner(const TriangleMesh& mesh, const std::vector<bool>& slots, Visit&& visit) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (!slots[static_cast<std::size_t>(mesh.material_slot(t))]) continue;
+        for (std::size_t corner = 0; corner < 3; ++corner) visit(mesh.point(t, corner));
     }
-    Sphere sphere{(lower + upper) * 0.5, 0};
-    for (const Vec3& p : points) sphere.radius = std::max(sphere.radius, length(p - sphere.center));
+}
+
+Sphere around(const TriangleMesh& mesh, const std::vector<bool>& slots) {
+    std::optional<AccelBounds> box;
+    for_each_corner(mesh, slots, [&box](const Vec3& p) {
+        box = box ? AccelBounds{min(box->lower, p), max(box->upper, p)} : AccelBounds{p, p};
+    });
+    if (!box) return {};
+    Sphere sphere{(box->lower + box->upper) * 0.5, 0};
+    for_each_corner(mesh, slots,
+                    [&sphere](const Vec3& p) { sphere.radius = std::max(sphere.radius, length(p - sphere.center)); });
     return sphere;
 }
 
-std::optional<Sphere> around(const TriangleMesh& mesh, const std::vector<bool>& slots, const Transform& world) {
-    std::vector<Vec3> points;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (!slots[static_cast<std::size_t>(mesh.material_slot(t))]) continue;
-        for (std::size_t corner = 0; corner < 3; ++corner) points.push_back(world.point(mesh.point(t, corner)));
-    }
-    return around(points);
-}
-
-std::optional<Sphere> around(const Quadric& quadric, const std::vector<bool>& slots, const Transform& world) {
-    if (!slots[0]) return {};
-    const Transform placed = world * quadric.parent_from_object;
-    // M stretches by the root of the greatest eigenvalue of M^T M, which its rows' sums bound (Gershgorin): exactly,
-    // for a sphere that stays one.
-    const std::array<Vec3, 3> columns{placed.vector({1, 0, 0}), placed.vector({0, 1, 0}), placed.vector({0, 0, 1})};
-    double stretch2 = 0;
-    for (const Vec3& a : columns) {
-        double sum = 0;
-        for (const Vec3& b : columns) sum += abs_dot(a, b);
-        stretch2 = std::max(stretch2, sum);
-    }
-    return Sphere{placed.translation(), quadric.radius * std::sqrt(stretch2)};
+Sphere around(const Quadric& quadric, const std::vector<bool>& slots) {
+    return slots[0] ? transformed({{}, quadric.radius}, quadric.parent_from_object) : Sphere{};
 }
 
 }  // namespace
@@ -97,14 +85,33 @@ bool focuses(const MaterialDesc& material, const TextureSet& textures) {
     return sum >= kLeastNarrow * kPlaces.size();
 }
 
-void add_caster(const PlacedShape& shape, const std::vector<bool>& focusing, const Transform& world_from_parent,
-                std::vector<Sphere>& casters) {
-    std::vector<bool> slots;
-    for (std::size_t slot = 0; slot < shape.materials.size(); ++slot) slots.push_back(is_caster(shape, slot, focusing));
-    if (std::find(slots.begin(), slots.end(), true) == slots.end()) return;
-    const auto sphere =
-        std::visit([&](const auto& geometry) { return around(geometry, slots, world_from_parent); }, *shape.geometry);
-    if (sphere && sphere->radius > 0) casters.push_back(*sphere);
+Sphere transformed(const Sphere& sphere, const Transform& transform) {
+    // M stretches by the root of the greatest eigenvalue of M^T M, which its rows' sums bound (Gershgorin): exactly,
+    // for a sphere that stays one.
+    const std::array<Vec3, 3> columns{transform.vector({1, 0, 0}), transform.vector({0, 1, 0}),
+                                      transform.vector({0, 0, 1})};
+    double stretch2 = 0;
+    for (const Vec3& a : columns) {
+        double sum = 0;
+        for (const Vec3& b : columns) sum += abs_dot(a, b);
+        stretch2 = std::max(stretch2, sum);
+    }
+    return {transform.point(sphere.center), sphere.radius * std::sqrt(stretch2)};
+}
+
+std::vector<Sphere> find_casters(const std::vector<PlacedShape>& shapes, const std::vector<bool>& focusing) {
+    std::vector<Sphere> casters;
+    for (const PlacedShape& shape : shapes) {
+        std::vector<bool> slots;
+        for (std::size_t slot = 0; slot < shape.materials.size(); ++slot) {
+            slots.push_back(is_caster(shape, slot, focusing));
+        }
+        if (std::find(slots.begin(), slots.end(), true) == slots.end()) continue;
+        const Sphere sphere =
+            std::visit([&](const auto& geometry) { return around(geometry, slots); }, *shape.geometry);
+        if (sphere.radius > 0) casters.push_back(sphere);
+    }
+    return casters;
 }
 
 // ----------------------------------------------------------------------------------------------------- clusters

@@ -17,9 +17,12 @@ namespace etendue {
 /// Whether the material is of that kind: by trying it, whatever its model.
 [[nodiscard]] bool focuses(const MaterialDesc& material, const TextureSet& textures);
 
-/// Adds the sphere around the parts of the shape whose materials focus, if there are any; `focusing` is by material.
-void add_caster(const PlacedShape& shape, const std::vector<bool>& focusing, const Transform& world_from_parent,
-                std::vector<Sphere>& casters);
+/// Spheres around those parts of the shapes whose materials focus, in the shapes' space; `focusing` is by material.
+[[nodiscard]] std::vector<Sphere> find_casters(const std::vector<PlacedShape>& shapes,
+                                               const std::vector<bool>& focusing);
+
+/// A sphere around what the transform makes of this one.
+[[nodiscard]] Sphere transformed(const Sphere& sphere, const Transform& transform);
 
 /// At most `count` spheres that hold all of `spheres`, and fewer where one is no larger than two.
 [[nodiscard]] std::vector<Sphere> cluster(std::vector<Sphere> spheres, std::size_t count);

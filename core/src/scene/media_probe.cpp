@@ -79,7 +79,7 @@ Media media_at(const Scene& scene, const Vec3& p) {
 }
 
 Media media_before(const Scene& scene, const Light& light) {
-    if (!scene.absorbs() || light.infinite()) return {};
+    if (!scene.absorbs() || light.infinite() || is_black(light.power())) return {};
     constexpr int kRays = 16;
     MediaProbe probe(scene);
     Rng rng(0, 0, 0);

@@ -15,7 +15,7 @@ namespace etendue {
 /// The media at a point that is on no surface.
 [[nodiscard]] Media media_at(const Scene& scene, const Vec3& p);
 
-/// The media into which a light emits; empty for lights at infinity.
+/// The media into which a light emits; empty for lights at infinity and dark ones.
 [[nodiscard]] Media media_before(const Scene& scene, const Light& light);
 
 }  // namespace etendue

@@ -11,10 +11,10 @@
 #include "light/texture_image.h"
 #include "light/usd_lux.h"
 #include "scene/casters.h"
+#include "scene/check_material.h"
 #include "scene/interaction.h"
 #include "scene/light_triangles.h"
 #include "scene/material_glow.h"
-#include "scene/material_textures.h"
 #include "scene/media_probe.h"
 #include "texture/udim.h"
 
@@ -65,9 +65,9 @@ std::vector<TextureDesc> all_textures(const SceneDescription& description) {
 
 }  // namespace
 
-Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points)
+Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths)
     : textures_(all_textures(description)), materials_(description.materials), absorption_(materials_) {
-    for (const MaterialDesc& material : materials_) check_textures(material, description.textures.size());
+    for (const MaterialDesc& material : materials_) check_material(material, description.textures.size());
     place_shapes(description);
     place_instances(description);
     place_light_shapes(description);
@@ -79,7 +79,7 @@ Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_
     if (absorbs()) {
         for (const auto& light : lights_) light_media_.push_back(media_before(*this, *light));
     }
-    emission_ = EmissionAim(cluster(find_casters(), EmissionAim::kMostTargets));
+    if (light_paths) emission_ = EmissionAim(cluster(find_casters(), EmissionAim::kMostTargets));
 }
 
 void Scene::place_shapes(const SceneDescription& description) {
@@ -221,11 +221,12 @@ void Scene::make_emissive_lights() {
 std::vector<Sphere> Scene::find_casters() const {
     std::vector<bool> focusing;
     for (const MaterialDesc& material : materials_) focusing.push_back(focuses(material, textures_));
-    std::vector<Sphere> casters;
-    for (const PlacedShape& shape : shapes_) add_caster(shape, focusing, {}, casters);
+    std::vector<Sphere> casters = etendue::find_casters(shapes_, focusing);
+    std::vector<std::vector<Sphere>> of_group;
+    for (const auto& group : groups_) of_group.push_back(etendue::find_casters(group, focusing));
     for (const Instance& instance : instances_) {
-        for (const PlacedShape& shape : groups_[instance.group]) {
-            add_caster(shape, focusing, instance.world_from_group, casters);
+        for (const Sphere& sphere : of_group[instance.group]) {
+            casters.push_back(transformed(sphere, instance.world_from_group));
         }
     }
     return casters;

@@ -33,9 +33,10 @@ struct RayEnd {
 /// Everything that paths meet, ready to be traced. Immutable; safe to use from any number of threads.
 class Scene {
 public:
-    /// `lens_points` are positions that light must be able to reach besides the geometry (cameras with a lens). Throws
-    /// SceneError or FileError naming the prim or file.
-    Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points);
+    /// `lens_points` are positions that light must be able to reach besides the geometry (cameras with a lens). Without
+    /// `light_paths` nobody will ask where these had best go, and emission() is each light's own. Throws SceneError or
+    /// FileError naming the prim or file.
+    Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths = true);
     // Lights refer to the textures and materials in here.
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;

@@ -58,7 +58,7 @@ public:
           callback_(std::move(callback)),
           camera_(make_camera(scene, settings_)),
           arena_(thread_count(settings_)),
-          scene_(scene, lens_points(camera_)),
+          scene_(scene, lens_points(camera_), traces_light_paths(settings_)),
           integrator_(make_integrator(make_context(scene_, camera_, settings_))),
           runner_(*integrator_, render_window(settings_)),
           film_(settings_, render_window(settings_), integrator_->image_strategies()) {}

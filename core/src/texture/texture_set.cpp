@@ -100,6 +100,11 @@ std::optional<Texel> bilinear(TextureCache::Reader& reader, const CachedImage& i
     return sum;
 }
 
+bool decodes_srgb(const Texture& texture, const CachedImage& image) {
+    return texture.color_space == TextureColorSpace::Srgb ||
+           (texture.color_space == TextureColorSpace::Auto && image.auto_srgb);
+}
+
 /// The image that has st, and st within it; null where there is none.
 const CachedImage* select_image(const Texture& texture, double& s, double& t) {
     if (!texture.udim) return texture.images.front();
@@ -122,6 +127,9 @@ public:
     }
 
     [[nodiscard]] Value lookup(const Texture& texture, double s, double t);
+    [[nodiscard]] Value texel(const Texture& texture, int x, int y);
+    /// Of what was read, which may have failed.
+    [[nodiscard]] Value value(const Texture& texture, const std::optional<Texel>& texel);
 
     TextureCache cache;
     std::vector<Texture> textures;
@@ -135,11 +143,17 @@ TextureSet::Value TextureSet::Impl::lookup(const Texture& texture, double s, dou
     if (!std::isfinite(u) || !std::isfinite(v)) return texture.fallback;
     const CachedImage* image = select_image(texture, u, v);
     if (!image) return texture.fallback;
-    const bool srgb = texture.color_space == TextureColorSpace::Srgb ||
-                      (texture.color_space == TextureColorSpace::Auto && image->auto_srgb);
     const Neighbours x = neighbours(texture.wrap_s, u, image->width);
     const Neighbours y = neighbours(texture.wrap_t, 1 - v, image->height);  // rows run down, t runs up
-    const auto texel = bilinear(cache.reader(), *image, x, y, srgb);
+    return value(texture, bilinear(cache.reader(), *image, x, y, decodes_srgb(texture, *image)));
+}
+
+TextureSet::Value TextureSet::Impl::texel(const Texture& texture, int x, int y) {
+    const CachedImage& image = *texture.images.front();
+    return value(texture, cache.reader().texel(image, x, y, decodes_srgb(texture, image)));
+}
+
+TextureSet::Value TextureSet::Impl::value(const Texture& texture, const std::optional<Texel>& texel) {
     if (!texel) {
         ++failed_lookups;
         cache.forget_error();
@@ -166,6 +180,10 @@ TextureSet::Resolution TextureSet::resolution(int texture) const {
 
 TextureSet::Value TextureSet::lookup(int texture, double s, double t) const {
     return impl_->lookup(impl_->textures[static_cast<std::size_t>(texture)], s, t);
+}
+
+TextureSet::Value TextureSet::texel(int texture, int x, int y) const {
+    return impl_->texel(impl_->textures[static_cast<std::size_t>(texture)], x, y);
 }
 
 double TextureSet::lookup_channel(int texture, double s, double t, int channel) const {

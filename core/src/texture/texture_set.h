@@ -48,6 +48,10 @@ public:
     /// finite or the file became unreadable after construction.
     [[nodiscard]] Value lookup(int texture, double s, double t) const;
 
+    /// The value of one texel, columns from the left and rows from the top, of an image that is no UDIM set. The
+    /// fallback when the file became unreadable.
+    [[nodiscard]] Value texel(int texture, int x, int y) const;
+
     /// One channel, 0..3 = r, g, b, a.
     [[nodiscard]] double lookup_channel(int texture, double s, double t, int channel) const;
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from pxr import Sdf, Usd, UsdGeom, UsdLux
+from pxr import Sdf, Usd, UsdGeom, UsdLux, UsdShade
 
 from etendue import _core
 from etendue.usd_reader.colors import to_rendering_space
@@ -119,6 +119,14 @@ def _set_texture(context: ReadContext, prim: Usd.Prim, desc: _core.LightDesc) ->
     attribute = prim.GetAttribute("inputs:texture:file")
     asset = attribute.Get(context.time)
     if not isinstance(asset, Sdf.AssetPath) or not asset.path:
+        return
+    if UsdShade.UdimUtils.IsUdimIdentifier(asset.path):
+        context.report.warn(
+            "light texture of tiles",
+            prim.GetPath(),
+            f"texture file '{asset.path}' is a UDIM set, which a light has no places for; "
+            "the constant colour is used",
+        )
         return
     file = texture_file(context, prim.GetPath(), attribute, asset, "the constant colour")
     if file is not None:

@@ -24,6 +24,7 @@ _UNSUPPORTED: dict[str, float | Sequence[float]] = {
 _UNSUPPORTED_OF_COAT: dict[str, float | Sequence[float]] = {
     "coat_color": (1.0, 1.0, 1.0),
     "coat_roughness_anisotropy": 0.0,
+    "geometry_coat_normal": (0.0, 0.0, 1.0),
 }
 
 
@@ -44,13 +45,6 @@ def read_open_pbr(context: ReadContext, inputs: ShaderInputs) -> _core.MaterialD
     model.transmission_color = inputs.color("transmission_color", model.transmission_color)
     # A length, in the stage's units.
     model.transmission_depth = float(inputs.constant("transmission_depth", 0.0))
-    if model.transmission_depth > 0 and model.transmission_color.texture >= 0:
-        context.report.warn(
-            "open_pbr_surface textured volume",
-            inputs.shader.GetPath(),
-            "open_pbr_surface: a textured transmission_color tints the surface, whatever the "
-            "transmission_depth",
-        )
     model.coat_weight = inputs.number("coat_weight", model.coat_weight)
     model.coat_roughness = inputs.number("coat_roughness", model.coat_roughness)
     model.coat_ior = float(inputs.constant("coat_ior", model.coat_ior))
@@ -58,9 +52,41 @@ def read_open_pbr(context: ReadContext, inputs: ShaderInputs) -> _core.MaterialD
     model.geometry_opacity = inputs.number("geometry_opacity", model.geometry_opacity)
     model.geometry_thin_walled = bool(inputs.constant("geometry_thin_walled", False))
 
+    normal_texture = inputs.normal_texture("geometry_normal")
+    _warn_of_volume(context, inputs, model)
+    _warn_of_layers(context, inputs, normal_texture)
+    luminance = float(inputs.constant("emission_luminance", 0.0))
+    emission = _core.ColorInput()
+    if luminance != 0.0:
+        white = _core.ColorInput(value=(1.0, 1.0, 1.0))
+        emission = inputs.color("emission_color", white, luminance)
+    return _core.MaterialDesc(model=model, emission=emission, normal_texture=normal_texture)
+
+
+def _warn_of_volume(
+    context: ReadContext, inputs: ShaderInputs, model: _core.OpenPbrMaterial
+) -> None:
+    weight = model.transmission_weight
+    has_volume = not model.geometry_thin_walled and (weight.texture >= 0 or weight.value > 0)
+    if has_volume and model.transmission_depth > 0 and model.transmission_color.texture >= 0:
+        context.report.warn(
+            "open_pbr_surface textured volume",
+            inputs.shader.GetPath(),
+            "open_pbr_surface: a textured transmission_color tints the surface, whatever the "
+            "transmission_depth",
+        )
+
+
+def _warn_of_layers(context: ReadContext, inputs: ShaderInputs, normal_texture: int) -> None:
     unsupported = dict(_UNSUPPORTED)
     if inputs.is_authored("coat_weight", 0.0):
         unsupported |= _UNSUPPORTED_OF_COAT
+        if normal_texture >= 0:
+            context.report.warn(
+                "open_pbr_surface coat over a normal map",
+                inputs.shader.GetPath(),
+                "open_pbr_surface: the map of geometry_normal bumps the coat as well",
+            )
     for name, default in unsupported.items():
         if inputs.is_authored(name, default):
             context.report.warn(
@@ -68,11 +94,3 @@ def read_open_pbr(context: ReadContext, inputs: ShaderInputs) -> _core.MaterialD
                 inputs.shader.GetPath(),
                 f"open_pbr_surface input '{name}' is not supported; rendered without it",
             )
-    luminance = float(inputs.constant("emission_luminance", 0.0))
-    emission = _core.ColorInput()
-    if luminance != 0.0:
-        white = _core.ColorInput(value=(1.0, 1.0, 1.0))
-        emission = inputs.color("emission_color", white, luminance)
-    return _core.MaterialDesc(
-        model=model, emission=emission, normal_texture=inputs.normal_texture("geometry_normal")
-    )

@@ -275,6 +275,24 @@ TEST_F(MaterialTest, OpenPbrCoat) {
     EXPECT_TRUE(bsdf(m).connectible());
 }
 
+/// Clear glass has nothing to darken: whatever its base's colour, what the coat lets through leaves again.
+TEST_F(MaterialTest, CoatedGlassLosesNothing) {
+    OpenPbrMaterial m;
+    m.transmission_weight.value = 1;
+    m.specular_roughness.value = 0;
+    m.coat_weight.value = 1;
+    const Bsdf glass = bsdf(m);
+    for (const Vec3& wo : {Vec3{0, 0, 1}, direction(0.5, 1)}) {
+        double share = 0;
+        constexpr int kTries = 10'000;
+        for (int i = 0; i < kTries; ++i) {
+            const auto sample = glass.sample(wo, (i + 0.5) / kTries, {0.5, 0.5}, TransportMode::Importance, kCorrect);
+            share += sample ? sample->weight.g / kTries : 0;
+        }
+        EXPECT_NEAR(share, 1, 2e-3);
+    }
+}
+
 /// A hole lets through what the normals disagree about.
 TEST_F(MaterialTest, PresenceDoesNotDependOnNormals) {
     LayeredParameters p;

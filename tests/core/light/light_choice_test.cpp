@@ -156,6 +156,15 @@ TEST(LightChoice, NoLightIsLost) {
     EXPECT_GT(lit, 20 * test::samples(1000));
 }
 
+/// Narrower than a cosine can say; the receiver is as near to the light as it is wide.
+TEST(LightChoice, TheNarrowestBeamsStayFinite) {
+    const LightBounds beam{{-1, -1, 1}, {1, 1, 1}, {0, 0, -1}, 1, std::cos(5e-9)};
+    const LightBounds lamp{{3, 0, 0}, {3, 0, 0}};
+    const LightTree tree({{0, beam, 1}, {1, lamp, 1}});
+    EXPECT_NEAR(tree.pmf({}, 0) + tree.pmf({}, 1), 1, 1e-12);
+    EXPECT_GT(tree.pmf({}, 0), 0.99);
+}
+
 TEST(LightChoice, AllAroundEveryChoiceIsALight) {
     Lights lights;
     Rng rng(74, 0, 0);

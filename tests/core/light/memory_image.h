@@ -17,6 +17,7 @@ public:
     }
 
     [[nodiscard]] Rgb& texel(int x, int y) { return texels_[index(x, y)]; }
+    [[nodiscard]] Rgb texel(int x, int y) const override { return texels_[index(x, y)]; }
     [[nodiscard]] int width() const override { return width_; }
     [[nodiscard]] int height() const override { return height_; }
     [[nodiscard]] Rgb at(const Vec2& st) const override {

@@ -124,7 +124,11 @@ TEST(UsdLux, LineLightsKeepThePower) {
     light.treat_as_line = false;
     light.radius = 0;
     EXPECT_NEAR(make_light(light, test::kBounds)->power().g, 3 * kPi, 1e-11);
+    light.normalize = false;  // there is no area to multiply by
+    EXPECT_NEAR(make_light(light, test::kBounds)->power().g, 3 * kPi, 1e-11);
     light.length = 0;
+    EXPECT_TRUE(is_black(make_light(light, test::kBounds)->power()));
+    light.normalize = true;
     EXPECT_THROW((void)make_light(light, test::kBounds), SceneError);
     light.normalize = false;
     EXPECT_TRUE(is_black(make_light(light, test::kBounds)->power()));

@@ -43,7 +43,7 @@ TEST(Sampler, PairsAreANet) {
         for (int draw = 0; draw < 4; ++draw) {
             for (int k = 0; k <= 10; ++k) {
                 const std::uint64_t count = std::uint64_t{1} << k;
-                for (std::uint64_t block : {0, 1, 5}) {
+                for (std::uint64_t block : {0U, 1U, 5U}) {
                     const std::vector<Vec2> net = points(sequence, block * count, count, draw);
                     for (int a = 0; a <= k; ++a) ASSERT_TRUE(one_in_each_box(net, a, k - a)) << k << ' ' << a;
                 }
@@ -64,8 +64,21 @@ TEST(Sampler, SingleNumbersAreStratified) {
     }
 }
 
+/// Stratified draws are odd multiples of 2^-33, hence neither 0 nor 1.
+TEST(Sampler, StratifiedDrawsAreNeverZero) {
+    const auto odd = [](double x) { return std::fmod(std::ldexp(x, 33), 2) == 1; };
+    for (std::uint64_t index = 0; index < 100; ++index) {
+        Sampler sampler = at(1, index);
+        for (int draw = 0; draw < 10; draw += 2) {
+            ASSERT_TRUE(odd(sampler.next_1d())) << draw;
+            const Vec2 u = sampler.next_2d();
+            ASSERT_TRUE(odd(u.x) && odd(u.y)) << draw;
+        }
+    }
+}
+
 TEST(Sampler, AnyOnePathIsUniform) {
-    for (std::uint64_t index : {0, 1, 6, 1000}) {
+    for (std::uint64_t index : {0U, 1U, 6U, 1000U}) {
         for (int draw : {0, 3, 9, 10, 15}) {
             std::uint64_t sequence = 0;
             const PlaneSampler sample = [&](Rng&) { return points(sequence++, index, 1, draw).front(); };

@@ -52,8 +52,10 @@ TEST(Casters, Materials) {
 std::vector<Sphere> casters_of(const ShapeDesc& shape, const SceneDescription& scene, const Transform& world) {
     std::vector<bool> focusing;
     for (const MaterialDesc& m : scene.materials) focusing.push_back(focuses(m.model));
-    std::vector<Sphere> casters;
-    add_caster(place_shape(shape, scene, false), focusing, world, casters);
+    std::vector<PlacedShape> shapes;
+    shapes.push_back(place_shape(shape, scene, false));
+    std::vector<Sphere> casters = find_casters(shapes, focusing);
+    for (Sphere& caster : casters) caster = transformed(caster, world);
     return casters;
 }
 
@@ -101,6 +103,23 @@ TEST(Casters, PartOfAMesh) {
     const Sphere sphere = casters_of(b.scene().shapes[0], b.scene(), {}).at(0);
     EXPECT_NEAR(length(sphere.center - Vec3{9.5, 0.5, 0}), 0, 1e-6);
     EXPECT_NEAR(sphere.radius, std::sqrt(0.5), 1e-6);
+}
+
+/// A group's sphere goes along with its instances; without light subpaths nobody looks for any.
+TEST(Casters, InstancesAreAimedAtByLightSubpathsOnly) {
+    test::SceneBuilder b;
+    b.scene().geometries.emplace_back(SphereDesc{0.5});
+    b.scene().groups.push_back({"/Group", {{"/Group/Ball", 0, {b.material(DielectricMaterial{})}, {}}}});
+    b.scene().instances.push_back({"/Instance", 0, test::translation({0, 0, -4})});
+    b.light(test::point_light({}, 1));
+    const auto boost = [&b](bool light_paths, const Vec3& w) {
+        const Scene scene(b.scene(), {}, light_paths);
+        const LightPoint y = scene.light(0).sample_emission({}, {}).y;
+        return scene.emission().pdf(scene.light(0), y, w, w).pdf_dir / scene.light(0).pdf_emission(y, w).pdf_dir;
+    };
+    EXPECT_GT(boost(true, {0, 0, -1}), 10);
+    EXPECT_LT(boost(true, {0, 0, 1}), 1);
+    EXPECT_EQ(boost(false, {0, 0, -1}), 1);
 }
 
 TEST(Casters, ClustersHoldAllOfThem) {

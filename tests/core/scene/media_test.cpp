@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <etendue/error.h>
+
 #include "bsdf/interior.h"
 #include "math/constants.h"
 #include "scene/media_probe.h"
@@ -79,6 +81,25 @@ TEST(Interior, IsClearOrNone) {
     EXPECT_EQ(interior_absorption(named(clear)), Rgb());
     clear.opacity_mode = PreviewOpacityMode::Presence;
     EXPECT_FALSE(interior_absorption(named(clear)));
+}
+
+/// Metal lets nothing in, whatever else is said of its inside.
+TEST(Interior, IsNoneInMetal) {
+    OpenPbrMaterial pbr;
+    pbr.transmission_weight.value = 1;
+    pbr.transmission_color.value = {0.5, 0.5, 0.5};
+    pbr.transmission_depth = 1;
+    PreviewSurfaceMaterial preview;
+    preview.opacity.value = 0.5;
+    ASSERT_TRUE(interior_absorption(named(pbr)));
+    ASSERT_TRUE(interior_absorption(named(preview)));
+    pbr.base_metalness.value = preview.metallic.value = 1;
+    EXPECT_FALSE(interior_absorption(named(pbr)));
+    EXPECT_FALSE(interior_absorption(named(preview)));
+    preview.use_specular_workflow = true;  // knows no metal
+    EXPECT_TRUE(interior_absorption(named(preview)));
+    pbr.base_metalness.texture = 0;
+    EXPECT_TRUE(interior_absorption(named(pbr)));
 }
 
 /// The colour that 1 unit of the media at p leaves, red.
@@ -165,6 +186,14 @@ TEST(Absorption, IsNobodysBusinessWhereAllIsClear) {
     const Scene scene(b.scene(), {});
     EXPECT_FALSE(scene.absorbs());
     EXPECT_EQ(media_at(scene, {0, 0, 0}), Media{});
+}
+
+/// More bodies than can be told apart are no error unless someone asks which is which.
+TEST(Absorption, CountsBodiesOnlyWhereOneAbsorbs) {
+    std::vector<MaterialDesc> many(70'000, named(glass(0.5, 0)));
+    EXPECT_FALSE(Absorption(many).any());
+    many.front() = named(glass(0.5, 1));
+    EXPECT_THROW(Absorption{many}, SceneError);
 }
 
 TEST(Absorption, LeavesNothingOfWhatGoesOnForEver) {

@@ -110,6 +110,28 @@ TEST(SceneError, NamesTheMaterialOfBadTextureIndices) {
     });
 }
 
+TEST(SceneError, NamesTheMaterialOfBadNumbers) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto with = [](auto model, auto member, double value) {
+        model.*member = value;
+        return [model](SceneDescription& s) { s.materials[0].model = model; };
+    };
+    for (const double bad : {-1.0, nan}) {
+        expect_complaints({
+            {with(DielectricMaterial{}, &DielectricMaterial::ior, bad), "/material_0", "ior"},
+            {with(DielectricMaterial{}, &DielectricMaterial::transmission_depth, bad), "/material_0",
+             "transmission_depth"},
+            {with(PreviewSurfaceMaterial{}, &PreviewSurfaceMaterial::ior, bad), "/material_0", "ior"},
+            {with(OpenPbrMaterial{}, &OpenPbrMaterial::specular_ior, bad), "/material_0", "specular_ior"},
+            {with(OpenPbrMaterial{}, &OpenPbrMaterial::transmission_depth, bad), "/material_0", "transmission_depth"},
+            {with(OpenPbrMaterial{}, &OpenPbrMaterial::coat_ior, bad), "/material_0", "coat_ior"},
+        });
+    }
+    SceneDescription scene = good_scene();
+    with(PreviewSurfaceMaterial{}, &PreviewSurfaceMaterial::ior, 0)(scene);  // seen in the wild: as if not authored
+    EXPECT_EQ(error_of(scene), "");
+}
+
 TEST(SceneError, NamesThePrimOfBadPlacements) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     expect_complaints({

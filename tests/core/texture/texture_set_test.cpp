@@ -108,6 +108,17 @@ TEST_F(TextureTest, StBeginsAtTheLowerLeft) {
     expect_value(textures.lookup(0, 0.75, 0.75), {0, 1, 0, 1});
 }
 
+TEST_F(TextureTest, TexelsBeginAtTheUpperLeft) {
+    TextureDesc desc = describe(four_colors());
+    desc.scale = {2, 1, 1, 1};
+    desc.st_transform = {0, 0, 0, 0, 0, 0};  // has no say
+    const TextureSet textures = open(desc);
+    expect_value(textures.texel(0, 0, 1), {0, 0, 1, 1});
+    expect_value(textures.texel(0, 1, 1), {2, 1, 1, 1});
+    expect_value(textures.texel(0, 0, 0), {2, 0, 0, 1});
+    expect_value(textures.texel(0, 1, 0), {0, 1, 0, 1});
+}
+
 TEST_F(TextureTest, IsBilinearBetweenTexelCentres) {
     const TextureSet textures = open(describe(four_colors()));
     expect_value(textures.lookup(0, 0.5, 0.5), {0.5, 0.5, 0.5, 1});
