@@ -12,7 +12,7 @@ constexpr StrategySet kLightImageOnly{
 }  // namespace
 
 bool traces_light_paths(const RenderSettings& settings) {
-    return settings.integrator != IntegratorKind::Path && settings.light_paths_per_pixel > 0;
+    return settings.integrator != IntegratorKind::Path && settings.light_paths_per_pixel != 0.0;
 }
 
 std::unique_ptr<Integrator> make_integrator(const RenderContext& context) {

@@ -184,7 +184,7 @@ double resolution(int s, int t) {
 int cell_size(int s, int t) { return t == 0 || s + t == 2 ? kSize : kSize / 2; }
 
 Replicas render_alone(const SceneDescription& scene, int s, int t) {
-    const int effort = s == 0 || t == 0 ? 6 : 1;
+    const int effort = s == 0 ? 6 : (t == 0 ? 4 : 1);
     RenderSettings settings = small_settings(IntegratorKind::Bdpt, kSize, 96 * effort);
     settings.single_strategy = Strategy{s, t};
     settings.max_depth = s + t - 2;
