@@ -76,7 +76,7 @@ struct RenderSettings {
     /// Light subpaths traced per pixel and pass (bdpt, light). Empty: 1 for light; for bdpt 4 where something gathers
     /// light into caustics, which they alone render well, else 0.5.
     std::optional<double> light_paths_per_pixel;
-    int roulette_depth = 4;                   ///< bounces before Russian roulette may end a path; negative: never
+    int roulette_depth = 4;  ///< bounces before Russian roulette may end a path; negative: never
     AdjointPolicy adjoint;
 
     std::vector<Aov> aovs{Aov::Color, Aov::Alpha};
