@@ -58,7 +58,7 @@ inline MemoryImage mottled_image(int width, int height, bool wraps) {
     return image;
 }
 
-/// The same with a bright texel of its own colour, and black ones all about another.
+/// The same with a bright texel of its own colour, and black ones all about another. At least 5 x 5 texels.
 inline MemoryImage sunny_image(int width, int height, bool wraps) {
     MemoryImage image = mottled_image(width, height, wraps);
     image.texel(width / 4, height / 3) = {900, 700, 400};

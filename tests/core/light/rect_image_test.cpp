@@ -71,7 +71,7 @@ TEST(RectImage, ShapeAndSamplesAgree) {
 }
 
 TEST(RectImage, PointsFollowTheirDensity) {
-    for (const Vec2& size : {Vec2{8, 4}, Vec2{5, 7}}) {
+    for (const Vec2& size : {Vec2{8, 6}, Vec2{5, 7}}) {
         const auto columns = static_cast<int>(size.x);
         const auto rows = static_cast<int>(size.y);
         const auto light = screen(test::sunny_image(columns, rows, false), test::general());
