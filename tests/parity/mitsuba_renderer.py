@@ -94,7 +94,7 @@ def _rgb(value: Rgb) -> dict[str, Any]:
 
 
 def _transform(matrix: Floats) -> Any:
-    return mitsuba.ScalarTransform4f(matrix)
+    return mitsuba.ScalarTransform4f(matrix.tolist())  # its stubs know no arrays of doubles
 
 
 def _bsdf(material: Material, smooth_normals: bool = False) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
@@ -23,3 +24,11 @@ def ctrl_c_interrupts() -> Iterator[None]:
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
+
+
+@pytest.fixture
+def picture(tmp_path: Path) -> Path:
+    """A file that stands for a texture; the reader does not look inside."""
+    file = tmp_path / "picture.png"
+    file.write_bytes(b"not looked at")
+    return file

@@ -260,8 +260,8 @@ enum class CameraProjection { Perspective, Orthographic };
 
 /// A UsdGeomCamera. Apertures and focal length are in tenths of a scene unit, distances in scene units. The camera
 /// looks down its -Z with +Y up. Orthographic: the apertures are the width and height of what is seen, from the
-/// camera's own plane on; focal length, f-stop and focus distance have no meaning. The body that
-/// holds the camera's position, if any, is taken to hold all of that plane.
+/// camera's own plane on; focal length, f-stop and focus distance have no meaning. The body that holds the camera's
+/// position, if any, is taken to hold all of that plane.
 struct CameraDesc {
     std::string name;
     CameraProjection projection = CameraProjection::Perspective;

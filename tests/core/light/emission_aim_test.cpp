@@ -36,6 +36,15 @@ class AimedLights : public testing::TestWithParam<test::LightCase> {
 protected:
     const Light& light = *GetParam().light;
     const EmissionAim aim{kFarApart};
+
+    void expect_mean_is_power(Rng rng) const {
+        test::Estimate green;
+        for (int i = 0; i < test::samples(60'000); ++i) {
+            const Vec2 u_point = rng.next_2d();
+            green.add(aim.sample(light, u_point, rng.next_2d()).weight.g);
+        }
+        EXPECT_TRUE(test::agrees(green, light.power().g, 0.012));
+    }
 };
 
 TEST_P(AimedLights, SamplesSayTheirDensity) {
@@ -62,15 +71,7 @@ TEST_P(AimedLights, SamplesSayTheirDensity) {
     EXPECT_GT(changed, 500);
 }
 
-TEST_P(AimedLights, MeanIsThePower) {
-    Rng rng(82, 0, 0);
-    test::Estimate green;
-    for (int i = 0; i < test::samples(60'000); ++i) {
-        const Vec2 u_point = rng.next_2d();
-        green.add(aim.sample(light, u_point, rng.next_2d()).weight.g);
-    }
-    EXPECT_TRUE(test::agrees(green, light.power().g, 0.012));
-}
+TEST_P(AimedLights, MeanIsThePower) { expect_mean_is_power(Rng(82, 0, 0)); }
 
 /// Over all directions, or all rays of one direction, and over those that meet each sphere: the integral of the density
 /// is how often the sampler goes there.
@@ -120,15 +121,7 @@ TEST_P(AimedBeams, WeightsAreEmissionOverDensity) {
     }
 }
 
-TEST_P(AimedBeams, MeanIsThePower) {
-    Rng rng(84, 0, 0);
-    test::Estimate green;
-    for (int i = 0; i < test::samples(60'000); ++i) {
-        const Vec2 u_point = rng.next_2d();
-        green.add(aim.sample(light, u_point, rng.next_2d()).weight.g);
-    }
-    EXPECT_TRUE(test::agrees(green, light.power().g, 0.012));
-}
+TEST_P(AimedBeams, MeanIsThePower) { expect_mean_is_power(Rng(84, 0, 0)); }
 
 INSTANTIATE_TEST_SUITE_P(Beams, AimedBeams, testing::ValuesIn(test::shaped_lights()), test::case_name);
 INSTANTIATE_TEST_SUITE_P(Lights, AimedLights, testing::ValuesIn(test::all_lights()), test::case_name);
