@@ -8,7 +8,9 @@ image.save("caustic_pool.png")
 """
 
 from etendue._core import RenderProgress, RenderStatistics, __version__
+from etendue.compare import Comparison, compare
 from etendue.exceptions import (
+    ComparisonError,
     Error,
     EtendueWarning,
     FileError,
@@ -25,6 +27,8 @@ from etendue.stage import open_stage as open  # noqa: A004 - reads etendue.open(
 from etendue.usd_reader import StageWarning
 
 __all__ = [
+    "Comparison",
+    "ComparisonError",
     "Error",
     "EtendueWarning",
     "FileError",
@@ -40,5 +44,6 @@ __all__ = [
     "Stage",
     "StageWarning",
     "__version__",
+    "compare",
     "open",
 ]

@@ -1,4 +1,4 @@
-"""The command line: etendue render, etendue inspect."""
+"""The command line: etendue render, etendue inspect, etendue compare."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ from rich.console import Console
 
 import etendue
 from etendue import _core
+from etendue.compare import write_page
+from etendue.compare.figures import comparison_table
 from etendue.image import Image
 from etendue.inspection_table import inspection_table
 from etendue.progress import duration, progress_display
@@ -217,6 +219,29 @@ def inspect(
         print(json.dumps(inspection.to_dict(), indent=2))
     else:
         Console().print(inspection_table(inspection))
+
+
+@app.command()
+def compare(
+    a: Annotated[str, typer.Argument(metavar="A.exr", help="What B is measured by.")],
+    b: Annotated[str, typer.Argument(metavar="B.exr", help="Of the same scene and size.")],
+    reference: Annotated[
+        str | None,
+        typer.Option(metavar="R.exr", help="What both should be; also tells where it is bright."),
+    ] = None,
+    html: Annotated[
+        str | None, typer.Option(metavar="OUT.html", help="Also write a page with the pictures.")
+    ] = None,
+) -> None:
+    """Tell by how much, and where, two pictures by any renderers differ in brightness."""
+    if html is not None:
+        _core.check_writable(html)
+    found = etendue.compare(a, b, reference)
+    if html is not None:
+        write_page(found, html)
+    console = Console(highlight=False)
+    console.print(comparison_table(found))
+    console.print(found.sentence, markup=False)
 
 
 def _open(stage: str, frame: float | None, *, quiet: bool = False) -> etendue.Stage:

@@ -9,7 +9,19 @@ from etendue._core import Error, FileError, SceneError, SettingsError
 if TYPE_CHECKING:
     from etendue.image import Image
 
-__all__ = ["Error", "EtendueWarning", "FileError", "Interrupted", "SceneError", "SettingsError"]
+__all__ = [
+    "ComparisonError",
+    "Error",
+    "EtendueWarning",
+    "FileError",
+    "Interrupted",
+    "SceneError",
+    "SettingsError",
+]
+
+
+class ComparisonError(Error):
+    """Pictures cannot be compared with each other, each being good by itself."""
 
 
 class EtendueWarning(UserWarning):

@@ -1,0 +1,58 @@
+"""The figures of a Comparison, for people."""
+
+from __future__ import annotations
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from etendue.compare.comparison import Comparison, Distance
+from etendue.compare.ratio import Ratio
+from etendue.compare.sentence import interval
+
+_METHODS = {"variance": "variance channels", "jackknife": "jackknife over tiles"}
+
+
+def figures(found: Comparison) -> list[tuple[str, str]]:
+    """Names and values."""
+    rows = [
+        ("A", found.a.file),
+        ("B", found.b.file),
+        ("mean B / A", _ratio(found.whole)),
+        ("B / A, brightest region", _ratio(found.brightest)),
+        ("B from A", _distance(found.b_from_a)),
+    ]
+    if found.reference is not None:
+        rows.insert(2, ("reference", found.reference.file))
+    if found.a_from_reference is not None:
+        rows.append(("A from the reference", _distance(found.a_from_reference)))
+    if found.b_from_reference is not None:
+        rows.append(("B from the reference", _distance(found.b_from_reference)))
+    rows.append(("z-scores", _z_scores(found)))
+    return rows
+
+
+def comparison_table(found: Comparison) -> Table:
+    """For a terminal."""
+    table = Table(show_header=False)
+    table.add_column(style="bold")
+    table.add_column(overflow="fold")
+    for name, value in figures(found):
+        table.add_row(name, Text(value))
+    return table
+
+
+def _ratio(ratio: Ratio) -> str:
+    known = interval(ratio) if ratio.known else "hidden by noise"
+    return f"{known} ({ratio.level:.0%}, {_METHODS[ratio.method]}, {ratio.pixels:,} pixels)"
+
+
+def _distance(distance: Distance) -> str:
+    return f"relMSE {distance.rel_mse:.4g}, FLIP {distance.flip:.4f}"
+
+
+def _z_scores(found: Comparison) -> str:
+    if found.z_scores is None:
+        return "none: not both files have variance channels"
+    beyond = float(np.mean(np.abs(found.z_scores) > 3))
+    return f"{beyond:.2%} of pixels' channels beyond ±3 (normal noise alone: 0.27%)"
