@@ -8,7 +8,7 @@ image.save("caustic_pool.png")
 """
 
 from etendue._core import RenderProgress, RenderStatistics, __version__
-from etendue.compare import Comparison, compare
+from etendue.comparison import Comparison, compare
 from etendue.exceptions import (
     ComparisonError,
     Error,

@@ -15,8 +15,8 @@ from rich.console import Console
 
 import etendue
 from etendue import _core
-from etendue.compare import write_page
-from etendue.compare.figures import comparison_table
+from etendue.comparison import write_page
+from etendue.comparison.figures import comparison_table
 from etendue.image import Image
 from etendue.inspection_table import inspection_table
 from etendue.progress import duration, progress_display

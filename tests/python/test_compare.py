@@ -12,9 +12,9 @@ import pytest
 
 import etendue
 from etendue import cli
-from etendue.compare import write_page
-from etendue.compare.distance import relative_squared_error
-from etendue.compare.figures import figures
+from etendue.comparison import write_page
+from etendue.comparison.distance import relative_squared_error
+from etendue.comparison.figures import figures
 from support.exr_file import write_channels, write_color
 from support.stage_builder import StageBuilder
 

@@ -9,12 +9,12 @@ import numpy.typing as npt
 import pytest
 from scipy import stats
 
-from etendue.compare.causes import likely_causes
-from etendue.compare.picture import Picture, luminance
-from etendue.compare.ratio import LEVEL, Ratio, ratio_from_tiles, ratio_from_variances
-from etendue.compare.region import brightest_region
-from etendue.compare.sentence import interval
-from etendue.compare.tiles import tile_numbers, tile_sums
+from etendue.comparison.causes import likely_causes
+from etendue.comparison.picture import Picture, luminance
+from etendue.comparison.ratio import LEVEL, Ratio, ratio_from_tiles, ratio_from_variances
+from etendue.comparison.region import brightest_region
+from etendue.comparison.sentence import interval
+from etendue.comparison.tiles import tile_numbers, tile_sums
 
 FloatArray = npt.NDArray[np.float64]
 

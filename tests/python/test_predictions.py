@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from etendue.validate import predictions
+from etendue.validation import predictions
 
 WATER = 1.333
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from etendue.compare.distance import relative_squared_error
+from etendue.comparison.distance import relative_squared_error
 
 #: Part of a render's pixels, the farthest off, that the robust figure leaves out.
 TRIMMED = 0.001

@@ -6,9 +6,9 @@ import numpy as np
 from rich.table import Table
 from rich.text import Text
 
-from etendue.compare.comparison import Comparison, Distance
-from etendue.compare.ratio import Ratio
-from etendue.compare.sentence import interval
+from etendue.comparison.comparison import Comparison, Distance
+from etendue.comparison.ratio import Ratio
+from etendue.comparison.sentence import interval
 
 _METHODS = {"variance": "variance channels", "jackknife": "jackknife over tiles"}
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from etendue.compare.extras import extra
-from etendue.compare.picture import FloatArray, Picture
+from etendue.comparison.extras import extra
+from etendue.comparison.picture import FloatArray, Picture
 from etendue.exceptions import FileError
 
 COLOR = ("R", "G", "B")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import floor, log10
 
-from etendue.compare.causes import likely_causes
-from etendue.compare.ratio import Ratio
+from etendue.comparison.causes import likely_causes
+from etendue.comparison.ratio import Ratio
 
 
 def sentence(whole: Ratio, brightest: Ratio) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from etendue.compare.picture import FloatArray
+from etendue.comparison.picture import FloatArray
 
 IntArray = npt.NDArray[np.intp]
 

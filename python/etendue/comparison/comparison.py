@@ -7,14 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from etendue.compare.distance import flip_error, relative_squared_error
-from etendue.compare.exr import read_exr
-from etendue.compare.matching import check_lit, check_match
-from etendue.compare.picture import FloatArray, Picture
-from etendue.compare.ratio import Ratio, ratio_from_tiles, ratio_from_variances
-from etendue.compare.region import BoolArray, brightest_region
-from etendue.compare.sentence import sentence
-from etendue.compare.tiles import IntArray, tile_numbers, tile_sums
+from etendue.comparison.distance import flip_error, relative_squared_error
+from etendue.comparison.exr import read_exr
+from etendue.comparison.matching import check_lit, check_match
+from etendue.comparison.picture import FloatArray, Picture
+from etendue.comparison.ratio import Ratio, ratio_from_tiles, ratio_from_variances
+from etendue.comparison.region import BoolArray, brightest_region
+from etendue.comparison.sentence import sentence
+from etendue.comparison.tiles import IntArray, tile_numbers, tile_sums
 
 File = str | os.PathLike[str]
 

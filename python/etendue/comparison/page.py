@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 
 from etendue import _core
-from etendue.compare.comparison import Comparison
-from etendue.compare.extras import extra
-from etendue.compare.figures import figures
-from etendue.compare.picture import FloatArray, Picture
+from etendue.comparison.comparison import Comparison
+from etendue.comparison.extras import extra
+from etendue.comparison.figures import figures
+from etendue.comparison.picture import FloatArray, Picture
 from etendue.exceptions import FileError
 
 #: What the mean of A becomes before the display transform: middle grey.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from etendue.compare.ratio import Ratio
+from etendue.comparison.ratio import Ratio
 
 INDICES = {"water": 1.333, "glass": 1.5, "diamond": 2.42}
 

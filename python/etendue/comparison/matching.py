@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from etendue.compare.picture import Picture
+from etendue.comparison.picture import Picture
 from etendue.exceptions import ComparisonError
 
 
