@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import Browser
 
+from support.browser import chromium
 from support.stage_builder import StageBuilder
 
 
@@ -32,3 +34,10 @@ def picture(tmp_path: Path) -> Path:
     file = tmp_path / "picture.png"
     file.write_bytes(b"not looked at")
     return file
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """Chromium; it starts in a second and serves all tests."""
+    with chromium() as started:
+        yield started

@@ -9,12 +9,14 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 import pytest
+from playwright.sync_api import Browser
 
 import etendue
 from etendue import cli
 from etendue.comparison import write_page
 from etendue.comparison.distance import relative_squared_error
 from etendue.comparison.figures import figures
+from support.browser import WIDTHS, check_page
 from support.exr_file import write_channels, write_color
 from support.stage_builder import StageBuilder
 
@@ -315,6 +317,14 @@ def test_command(good: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert html.count("data:image/png;base64,") == 4
     # Whatever the page shows is in it.
     assert not re.findall(r"""(?:src|href)=["'](?!data:)|url\(|https?:""", html)
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+def test_page_in_a_browser(browser: Browser, good: Path, tmp_path: Path, width: int) -> None:
+    b = write_color(tmp_path / "b.exr", noisy(scene() * WATER, 0.02, 2))
+    page = tmp_path / "out.html"
+    write_page(etendue.compare(good, b, good), page)
+    check_page(browser, page, width)
 
 
 def test_names_are_escaped(good: Path, tmp_path: Path) -> None:

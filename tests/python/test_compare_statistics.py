@@ -10,11 +10,12 @@ import pytest
 from scipy import stats
 
 from etendue.comparison.causes import likely_causes
-from etendue.comparison.picture import Picture, luminance
+from etendue.comparison.picture import Picture
 from etendue.comparison.ratio import LEVEL, Ratio, ratio_from_tiles, ratio_from_variances
 from etendue.comparison.region import brightest_region
-from etendue.comparison.sentence import interval
 from etendue.comparison.tiles import tile_numbers, tile_sums
+from etendue.interval import interval_text
+from etendue.luminance import luminance
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -158,4 +159,4 @@ def test_all_causes_that_fit_are_told() -> None:
     [(1.767, 1.787, "1.777 ± 0.010"), (1.5, 2.5, "2.00 ± 0.50"), (100, 160, "130 ± 30")],
 )
 def test_interval(low: float, high: float, told: str) -> None:
-    assert interval(ratio(low, high)) == told
+    assert interval_text(ratio(low, high)) == told

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from etendue.comparison.extras import extra
 from etendue.comparison.picture import FloatArray
+from etendue.extras import extra
 
 #: A pixel darker than this part of the mean counts about as that bright: black divides by zero.
 DARKEST = 0.02

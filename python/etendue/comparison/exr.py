@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from etendue.comparison.extras import extra
 from etendue.comparison.picture import FloatArray, Picture
 from etendue.exceptions import FileError
+from etendue.extras import extra
 
 COLOR = ("R", "G", "B")
 VARIANCE = ("variance.R", "variance.G", "variance.B")

@@ -8,7 +8,7 @@ from rich.text import Text
 
 from etendue.comparison.comparison import Comparison, Distance
 from etendue.comparison.ratio import Ratio
-from etendue.comparison.sentence import interval
+from etendue.interval import interval_text
 
 _METHODS = {"variance": "variance channels", "jackknife": "jackknife over tiles"}
 
@@ -43,7 +43,7 @@ def comparison_table(found: Comparison) -> Table:
 
 
 def _ratio(ratio: Ratio) -> str:
-    known = interval(ratio) if ratio.known else "hidden by noise"
+    known = interval_text(ratio)
     return f"{known} ({ratio.level:.0%}, {_METHODS[ratio.method]}, {ratio.pixels:,} pixels)"
 
 

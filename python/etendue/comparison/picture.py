@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-FloatArray = npt.NDArray[np.float64]
+from etendue.luminance import luminance
 
-REC709 = np.array([0.2126, 0.7152, 0.0722])
+FloatArray = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,9 +37,3 @@ class Picture:
         attains the bound.
         """
         return None if self.variance is None else luminance(np.sqrt(self.variance)) ** 2
-
-
-def luminance(color: FloatArray) -> FloatArray:
-    """(..., 3) to (...)."""
-    weighted: FloatArray = color @ REC709
-    return weighted

@@ -9,8 +9,8 @@ from typing import Literal
 
 import numpy as np
 
-from etendue.comparison.extras import extra
 from etendue.comparison.picture import FloatArray
+from etendue.extras import extra
 
 #: Confidence of all intervals, of both sides together.
 LEVEL = 0.95

@@ -7,8 +7,8 @@ from math import ceil
 import numpy as np
 import numpy.typing as npt
 
-from etendue.comparison.extras import extra
 from etendue.comparison.picture import FloatArray
+from etendue.extras import extra
 
 BoolArray = npt.NDArray[np.bool_]
 

@@ -15,5 +15,5 @@ def extra(module: str) -> ModuleType:
     except ModuleNotFoundError as missing:
         raise Error(
             f"the package that holds '{missing.name}' is not installed: "
-            "pip install 'etendue[report]' installs all that a comparison needs"
+            "pip install 'etendue[report]' installs all that comparisons and reports need"
         ) from missing

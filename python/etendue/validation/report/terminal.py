@@ -1,0 +1,27 @@
+"""The outcome, case by case, for a terminal."""
+
+from __future__ import annotations
+
+from rich.table import Table
+from rich.text import Text
+
+from etendue.validation.report.verdicts import held, verdict, worst_p_value
+from etendue.validation.results import ValidationResult
+
+
+def summary_table(result: ValidationResult) -> Table:
+    table = Table(caption=Text(verdict(result)))
+    table.add_column("case", style="bold", no_wrap=True)
+    table.add_column("checks", justify="right", no_wrap=True)
+    table.add_column("worst p", justify="right", no_wrap=True)
+    table.add_column("finding", overflow="fold")
+    table.add_column("verdict", no_wrap=True)
+    for case in result.cases:
+        table.add_row(
+            Text(case.name),
+            f"{held(case.checks)}/{len(case.checks)}",
+            worst_p_value(case.checks),
+            Text(case.headline),
+            Text("holds", "green") if case.passed else Text("fails", "bold red"),
+        )
+    return table

@@ -1,0 +1,27 @@
+"""What came out, in words that the page and the terminal share."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from etendue.validation.report.numbers import counted, probability
+from etendue.validation.results import Check, ValidationResult
+
+
+def verdict(result: ValidationResult) -> str:
+    """As in "All 42 predictions hold", "2 of 42 predictions do not hold"."""
+    total = len(result.checks)
+    failed = total - held(result.checks)
+    if failed:
+        verb = "does" if failed == 1 else "do"
+        return f"{failed} of {counted(total, 'prediction')} {verb} not hold"
+    return f"All {counted(total, 'prediction')} hold" if total > 1 else "The prediction holds"
+
+
+def held(checks: Sequence[Check]) -> int:
+    return sum(check.passed for check in checks)
+
+
+def worst_p_value(checks: Sequence[Check]) -> str:
+    """The smallest."""
+    return probability(min(check.p_value for check in checks)) if checks else "none"
