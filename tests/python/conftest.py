@@ -36,8 +36,8 @@ def picture(tmp_path: Path) -> Path:
     return file
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    """Chromium; it starts in a second and serves all tests."""
+    """Chromium. It ends with the module: while it runs, asyncio is taken."""
     with chromium() as started:
         yield started

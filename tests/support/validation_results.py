@@ -90,7 +90,7 @@ def case(name: str = "flat_water", measured: float = WATER) -> CaseResult:
     return CaseResult(
         name=name,
         title=f"Case {name}",
-        lesson=("What goes wrong.", "And why: <η> & so on."),
+        lesson=("What goes wrong.", "And why: <b>ηi/ηt</b> & so on."),
         headline="the floor is 1.777 × too bright",
         checks=(check("lamp", measured=measured), check("sun")),
         figures=(pair(), plot(), pyramid()),

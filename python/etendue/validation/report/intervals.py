@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import isfinite
+from math import floor, isfinite, log10
 
 import numpy as np
 
 from etendue.validation.results import Check
 
 #: A check far off its prediction must not squeeze the others' intervals into dots.
-_WIDEST = 8.0
+_WIDEST = 5.0
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,13 @@ def _scale(deviations: list[tuple[float, float, float]]) -> float:
     arms = [(high - low) / 2 for low, _, high in deviations]
     farthest = max(max(abs(low), abs(high)) for low, _, high in deviations)
     typical = float(np.median(arms))
-    return max(1e-6, min(1.1 * farthest, max(_WIDEST * typical, 1.1 * max(arms))))
+    return _rounded_up(min(farthest, max(_WIDEST * typical, *arms)))
+
+
+def _rounded_up(scale: float) -> float:
+    """To 1, 2 or 5 times a power of ten; exact measurements still need a line."""
+    power = 10.0 ** floor(log10(max(scale, 1e-6)))
+    return power * next(step for step in (1, 2, 5, 10) if step * power >= scale)
 
 
 def _mark(deviations: tuple[float, float, float], scale: float) -> Mark:

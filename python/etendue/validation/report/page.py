@@ -11,8 +11,8 @@ from etendue.progress import duration
 from etendue.validation.report.intervals import marks
 from etendue.validation.report.numbers import counted, percent, probability, short
 from etendue.validation.report.plots import FONT_SIZE, plot_url
-from etendue.validation.report.pyramids import levels
-from etendue.validation.report.verdicts import held, verdict
+from etendue.validation.report.pyramids import BRIGHTER, levels
+from etendue.validation.report.verdicts import case_verdict, held, verdict
 from etendue.validation.results import Figure, PicturePair, Plot, ValidationResult
 
 _TEMPLATE = Path(__file__).parent / "report.html.j2"
@@ -25,11 +25,13 @@ def as_html(result: ValidationResult) -> str:
         {
             "result": result,
             "verdict": verdict(result),
+            "case_verdict": case_verdict,
             "figures": {
                 case.name: [_figure(figure) for figure in case.figures] for case in result.cases
             },
             "marks": {case.name: marks(case.checks) for case in result.cases},
             "plot_font_size": FONT_SIZE,
+            "pyramid_brighter": BRIGHTER,
             "held": held,
             "counted": counted,
             "duration": duration,

@@ -69,7 +69,7 @@ def _draw(figure: Any, plot: Plot) -> None:
     axes.set_xlabel(plot.x_label)
     axes.set_ylabel(plot.y_label)
     if plot.log_y:
-        axes.set_yscale("log")
+        _make_logarithmic(axes)
     labels = list(dict.fromkeys(series.label for series in (*plot.predicted, *plot.measured)))
     drawn: dict[str, list[Any]] = {label: [] for label in labels}
     for series in plot.predicted:
@@ -85,6 +85,15 @@ def _draw(figure: Any, plot: Plot) -> None:
             handlelength=2.6,
             columnspacing=1.2,
         )
+
+
+def _make_logarithmic(axes: Any) -> None:
+    """With ticks at 0.5, 1, 2, 5: ratios lie within a decade or two."""
+    ticker = extra("matplotlib.ticker")
+    axes.set_yscale("log")
+    axes.yaxis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
+    axes.yaxis.set_minor_locator(ticker.NullLocator())
 
 
 def _curve(axes: Any, series: Series, index: int) -> Any:

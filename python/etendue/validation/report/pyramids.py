@@ -15,6 +15,10 @@ from etendue.validation.results import FloatArray, Pyramid, Strategy
 #: Pixels. There are many of these pictures, and they are shown small.
 WIDTH = 160
 
+#: The images share out the light of one picture. They are shown brighter than it by so much, lest
+#: the weak ones be black.
+BRIGHTER = 4.0
+
 _Images = Mapping[Strategy, FloatArray]
 
 
@@ -23,9 +27,8 @@ class Cell:
     s: int
     t: int
     url: str
-    ratio: str
-    """Mean luminance over that of the right image: "1.78 ×"; of a right image "", and where that is
-    black."""
+    ratio: float | None
+    """Mean luminance over that of the right image; None of a right image, and where it is black."""
 
 
 @dataclass(frozen=True)
@@ -38,8 +41,10 @@ class Level:
 
 
 def levels(pyramid: Pyramid) -> list[Level]:
-    """All at the exposure of the picture that the weighted images add up to."""
-    exposure = common_exposure(_sum(pyramid.weighted_right), _sum(pyramid.weighted_wrong))
+    """All at one exposure, BRIGHTER than that of the picture that the weighted ones add up to."""
+    exposure = BRIGHTER * common_exposure(
+        _sum(pyramid.weighted_right), _sum(pyramid.weighted_wrong)
+    )
     return [
         _level("Weighted, right", pyramid.weighted_right, None, exposure),
         _level("Weighted, wrong", pyramid.weighted_wrong, pyramid.weighted_right, exposure),
@@ -68,13 +73,13 @@ def _cell(
     if strategy not in images:
         return None
     image = images[strategy]
-    ratio = "" if right is None else _ratio(image, right.get(strategy))
+    ratio = None if right is None else _ratio(image, right.get(strategy))
     return Cell(*strategy, picture_url(_shrunk(image), exposure), ratio)
 
 
-def _ratio(wrong: FloatArray, right: FloatArray | None) -> str:
+def _ratio(wrong: FloatArray, right: FloatArray | None) -> float | None:
     below = 0.0 if right is None else float(luminance(right).mean())
-    return f"{float(luminance(wrong).mean()) / below:.3g} ×" if below > 0 else ""
+    return float(luminance(wrong).mean()) / below if below > 0 else None
 
 
 def _shrunk(image: FloatArray) -> FloatArray:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from rich.table import Table
 from rich.text import Text
 
-from etendue.validation.report.verdicts import held, verdict, worst_p_value
+from etendue.validation.report.verdicts import case_verdict, held, verdict, worst_p_value
 from etendue.validation.results import ValidationResult
+
+_STYLES = {"holds": "green", "fails": "bold red", "measured": ""}
 
 
 def summary_table(result: ValidationResult) -> Table:
@@ -19,9 +21,9 @@ def summary_table(result: ValidationResult) -> Table:
     for case in result.cases:
         table.add_row(
             Text(case.name),
-            f"{held(case.checks)}/{len(case.checks)}",
+            f"{held(case.checks)}/{len(case.checks)}" if case.checks else "",
             worst_p_value(case.checks),
             Text(case.headline),
-            Text("holds", "green") if case.passed else Text("fails", "bold red"),
+            Text(case_verdict(case), _STYLES[case_verdict(case)]),
         )
     return table
