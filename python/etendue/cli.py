@@ -16,6 +16,7 @@ from rich.console import Console
 import etendue
 from etendue import _core
 from etendue.comparison import write_page
+from etendue.comparison.causes import INDICES
 from etendue.comparison.figures import comparison_table
 from etendue.image import Image
 from etendue.inspection_table import inspection_table
@@ -32,6 +33,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 
+DIFFERENT = 3  # not 1 or 2: a script can tell a difference from a file that cannot be read
 INTERRUPTED = 130  # 128 + SIGINT, as shells have it
 
 StageArgument = Annotated[str, typer.Argument(metavar="STAGE", help="A USD file.")]
@@ -41,7 +43,8 @@ FrameOption = Annotated[
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """The console script. Ends the process with 0, 1 (error), 2 (usage) or 130 (interrupted)."""
+    """The console script. Ends the process with 0, 1 (error), 2 (usage), 3 (pictures differ) or
+    130 (interrupted)."""
     sys.exit(run(sys.argv[1:] if arguments is None else arguments))
 
 
@@ -229,19 +232,46 @@ def compare(
         str | None,
         typer.Option(metavar="R.exr", help="What both should be; also tells where it is bright."),
     ] = None,
+    layer: Annotated[
+        str | None,
+        typer.Option(help="Of all files: Beauty for Beauty.R; default: the obvious one."),
+    ] = None,
+    ior: Annotated[
+        list[float] | None,
+        typer.Option(
+            metavar="N", help="Index of refraction in the scene; repeatable. Default: the usual."
+        ),
+    ] = None,
+    flip: Annotated[
+        bool | None, typer.Option("--flip/--no-flip", help="Default: up to 4 megapixels.")
+    ] = None,
     html: Annotated[
         str | None, typer.Option(metavar="OUT.html", help="Also write a page with the pictures.")
     ] = None,
-) -> None:
+    as_json: Annotated[bool, typer.Option("--json", help="For programs.")] = False,
+    tolerance: Annotated[
+        float | None,
+        typer.Option(
+            min=0,
+            metavar="T",
+            help=f"End with status {DIFFERENT} when B / A, over the whole picture or where it is "
+            "brightest, surely differs from 1 by more.",
+        ),
+    ] = None,
+) -> int:
     """Tell by how much, and where, two pictures by any renderers differ in brightness."""
     if html is not None:
         _core.check_writable(html)
-    found = etendue.compare(a, b, reference)
+    found = etendue.compare(a, b, reference, layer=layer, indices=ior or INDICES, flip=flip)
     if html is not None:
         write_page(found, html)
-    console = Console(highlight=False)
-    console.print(comparison_table(found))
-    console.print(found.sentence, markup=False)
+    if as_json:
+        print(json.dumps(found.to_dict(), indent=2, ensure_ascii=False, allow_nan=False))
+    else:
+        console = Console(highlight=False)
+        console.print(comparison_table(found))
+        console.print(found.sentence, markup=False)
+    return DIFFERENT if tolerance is not None and found.differs(tolerance) else 0
 
 
 def _open(stage: str, frame: float | None, *, quiet: bool = False) -> etendue.Stage:

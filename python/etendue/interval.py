@@ -5,6 +5,9 @@ from __future__ import annotations
 from math import floor, isfinite, log10
 from typing import Protocol
 
+#: Longer over shorter arm from which an interval is told by its ends.
+LOPSIDED = 1.25
+
 
 class Interval(Protocol):
     """A value with the ends of its confidence interval; infinite where nothing is known."""
@@ -18,13 +21,20 @@ class Interval(Protocol):
 
 
 def interval_text(interval: Interval) -> str:
-    """'1.78 ± 0.01': the uncertainty to two digits at most, the value to as many places.
+    """'1.78 ± 0.01', or '2.3 (1.2 to 4.8)' where the value is not in the middle.
 
-    An interval that lies a little to one side, as Fieller's does, shows the longer of its arms.
+    The uncertainty has two digits at most, the value as many places.
     """
-    arm = max(interval.high - interval.value, interval.value - interval.low)
+    value, low, high = interval.value, interval.low, interval.high
+    arm = max(value - low, high - value)
     if not isfinite(arm):
         return "hidden by noise"
-    # A double of a float's precision has no more to tell.
-    places = 6 if arm <= 0 else min(6, max(0, 1 - floor(log10(arm))))
-    return f"{interval.value:.{places}f} ± {arm:.{places}f}"
+    if arm <= 1e-6 * abs(value):
+        # A double of a float's precision has no more to tell.
+        return f"{value:.6g}"
+    if max(abs(value), arm) >= 1e6 or arm < 1e-6:
+        return f"{value:.4g} ± {arm:.2g}"
+    places = max(0, 1 - floor(log10(arm)))
+    if arm > LOPSIDED * min(value - low, high - value):
+        return f"{value:.{places}f} ({low:.{places}f} to {high:.{places}f})"
+    return f"{value:.{places}f} ± {arm:.{places}f}"

@@ -7,12 +7,14 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import numpy.typing as npt
 import pytest
-from scipy import stats
+from scipy import ndimage, stats
 
-from etendue.comparison.causes import likely_causes
+from etendue.comparison.causes import fitting_causes, likely_cause
+from etendue.comparison.correlation import noise_correlation
 from etendue.comparison.picture import Picture
 from etendue.comparison.ratio import LEVEL, Ratio, ratio_from_tiles, ratio_from_variances
 from etendue.comparison.region import brightest_region
+from etendue.comparison.sentence import sentence
 from etendue.comparison.tiles import tile_numbers, tile_sums
 from etendue.interval import interval_text
 from etendue.luminance import luminance
@@ -76,15 +78,63 @@ def in_brightest_by_tiles(random: np.random.Generator) -> Ratio:
     return ratio_from_tiles(tile_sums(a[region], tiles), tile_sums(b[region], tiles), tiles.size)
 
 
+def splatted(random: np.random.Generator) -> tuple[FloatArray, ...]:
+    """A, B, their variances: light paths splat through a Gaussian of half a pixel."""
+    found = []
+    for factor in (1.0, TRUTH):
+        passes = random.gamma(6.25, factor * picture() / 6.25, (PASSES, *SHAPE))
+        passes = ndimage.gaussian_filter(passes, (0, 0.5, 0.5), mode="wrap")
+        found.append((passes.mean(axis=0), passes.var(axis=0, ddof=1) / PASSES))
+    (a, var_a), (b, var_b) = found
+    return a, b, var_a, var_b
+
+
+def splatted_by_variance(random: np.random.Generator) -> Ratio:
+    planes = splatted(random)
+    a, b, var_a, var_b = (plane.ravel() for plane in planes)
+    return ratio_from_variances(a, b, var_a, var_b, noise_correlation(*planes))
+
+
+def splatted_by_tiles(random: np.random.Generator) -> Ratio:
+    tiles = tile_numbers(*SHAPE)
+    a, b, *_ = splatted(random)
+    return ratio_from_tiles(tile_sums(a, tiles), tile_sums(b, tiles), a.size)
+
+
+def few_by_variance(random: np.random.Generator) -> Ratio:
+    """Ten pixels, of which one makes most of the sum and of its noise."""
+    mean = np.array([10.0] + 9 * [1.0])
+    (a, var_a), (b, var_b) = renders_of_normal_noise(mean, random), (TRUTH * mean, 0 * mean)
+    return ratio_from_variances(a, b, var_a, var_b)
+
+
+def renders_of_normal_noise(
+    mean: FloatArray, random: np.random.Generator
+) -> tuple[FloatArray, FloatArray]:
+    passes = random.normal(mean, 0.1 * mean, (PASSES, *mean.shape))
+    return passes.mean(axis=0), passes.var(axis=0, ddof=1) / PASSES
+
+
 def dark(random: np.random.Generator) -> Ratio:
-    """Six standard errors from black, where a symmetric interval around the ratio would not do."""
+    """Six standard errors from black, where a symmetric interval around the ratio would not do.
+
+    The pixels are so many that their variances count as exact."""
     a, b = random.normal(6, 1), random.normal(TRUTH * 6, 0.1)
-    one = np.array([1.0])
-    return ratio_from_variances(np.array([a]), np.array([b]), one, one / 100)
+    each = np.full(1000, 1e-3)
+    return ratio_from_variances(a * each, b * each, each, each / 100)
 
 
 @pytest.mark.parametrize(
-    "measure", [by_variance, by_tiles, in_brightest_by_variance, in_brightest_by_tiles]
+    "measure",
+    [
+        by_variance,
+        by_tiles,
+        in_brightest_by_variance,
+        in_brightest_by_tiles,
+        splatted_by_variance,
+        splatted_by_tiles,
+        few_by_variance,
+    ],
 )
 def test_intervals_hold_at_their_rate(measure: Callable[[np.random.Generator], Ratio]) -> None:
     misses = sum(TRUTH not in measure(random) for random in generators())
@@ -117,6 +167,39 @@ def test_intervals_are_no_wider_than_they_must_be() -> None:
         assert half == pytest.approx(expected, rel=0.1)
 
 
+def test_correlation_of_independent_pixels_is_none() -> None:
+    """Also where B / A has an edge: only the squares on it see that."""
+    random = np.random.default_rng(0)
+    shape = (256, 256)
+    mean = np.ones(shape)
+    (a, var_a), (b, var_b) = renders(mean, random), renders(mean, random)
+    assert noise_correlation(a, b, var_a, var_b) == pytest.approx(1, abs=0.05)
+    b[100:200, 100:200] *= 3
+    var_b[100:200, 100:200] *= 9
+    assert noise_correlation(a, b, var_a, var_b) == pytest.approx(1, abs=0.05)
+
+
+def test_correlation_is_that_of_the_filter() -> None:
+    """A box of 2 x 2 makes of every pixel's noise four times its part of the sum."""
+    random = np.random.default_rng(0)
+    a, b = (1 + 0.1 * _boxed(random.normal(0, 1, (256, 256))) for _ in range(2))
+    variance = np.full(a.shape, 0.01)
+    assert noise_correlation(a, b, variance, variance) == pytest.approx(4, rel=0.1)
+
+
+def _boxed(noise: FloatArray) -> FloatArray:
+    """Of variance 1 again."""
+    boxed: FloatArray = 2 * ndimage.uniform_filter(noise, 2, mode="wrap")
+    return boxed
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (15, 100), (16, 16)])
+def test_correlation_of_small_and_black_pictures(shape: tuple[int, int]) -> None:
+    black, one = np.zeros(shape), np.ones(shape)
+    assert noise_correlation(black, black, one, one) == 1
+    assert noise_correlation(one, one, black, black) == 1
+
+
 def generators(count: int = SEEDS) -> Iterator[np.random.Generator]:
     return (np.random.default_rng(seed) for seed in range(count))
 
@@ -125,6 +208,12 @@ def test_what_is_not_lit_has_no_ratio() -> None:
     black, one = np.zeros(4), np.ones(4)
     assert not ratio_from_variances(black, one, one, one).known
     assert not ratio_from_tiles(black, one, 4).known
+
+
+def test_one_tile_that_has_all_the_light_tells_no_scatter() -> None:
+    a = np.array([1000.0] + 20 * [1.0])
+    assert not ratio_from_tiles(a, TRUTH * a, a.size).known
+    assert ratio_from_tiles(np.ones(21), TRUTH * np.ones(21), a.size).known
 
 
 # -------------------------------------------------------------------------------------- what to say
@@ -137,26 +226,75 @@ def ratio(low: float, high: float) -> Ratio:
 @pytest.mark.parametrize(
     ("low", "high", "named"),
     [
-        (1.77, 1.79, ["one uncancelled η² = 1.777 (η = 1.333, water)"]),
-        (0.56, 0.57, ["one uncancelled η⁻² = 0.5628 (η = 1.333, water)"]),
-        (2.24, 2.26, ["one uncancelled η² = 2.25 (η = 1.5, glass)"]),
-        (34.2, 34.4, ["two uncancelled η², η⁴ = 34.3 (η = 2.42, diamond)"]),
-        (1.78, 1.79, []),
-        (0.9, 2.0, []),
-        (-np.inf, np.inf, []),
+        (1.77, 1.79, "one uncancelled η² = 1.777 (η = 1.333, water)"),
+        (0.56, 0.57, "one uncancelled η⁻² = 0.5628 (η = 1.333, water)"),
+        (2.24, 2.26, "one uncancelled η² = 2.25 (η = 1.5, glass)"),
+        (34.2, 34.4, "two uncancelled η², η⁴ = 34.3 (η = 2.42, diamond)"),
+        (1.78, 1.79, "None"),
+        (0.9, 2.0, "None"),
+        (-np.inf, np.inf, "None"),
     ],
 )
-def test_causes(low: float, high: float, named: list[str]) -> None:
-    assert list(likely_causes(ratio(low, high))) == named
+def test_cause(low: float, high: float, named: str) -> None:
+    assert str(likely_cause(ratio(low, high))) == named
 
 
-def test_all_causes_that_fit_are_told() -> None:
-    assert len(likely_causes(ratio(1.5, 2.5))) == 2
+@pytest.mark.parametrize(
+    ("low", "high", "fit"),
+    [
+        # Two unrelated factors, and one in an interval that would hold many another number.
+        (1.5, 2.5, 2),
+        (1.6, 1.95, 1),
+    ],
+)
+def test_wide_intervals_name_no_cause(low: float, high: float, fit: int) -> None:
+    wide = ratio(low, high)
+    assert len(fitting_causes(wide)) == fit
+    assert likely_cause(wide) is None
+    told = sentence(wide, wide)
+    assert "too uncertain to name a cause" in told
+    assert "η" not in told
+
+
+def test_causes_of_given_indices() -> None:
+    assert likely_cause(ratio(1.77, 1.79), [1.5]) is None
+    ice = likely_cause(ratio(1.71, 1.72), [1.309, 1.5])
+    assert str(ice) == "one uncancelled η² = 1.713 (η = 1.309)"
+    # Two indices so close that the interval holds both squares.
+    assert likely_cause(ratio(1.70, 1.79), [1.309, 1.333]) is None
 
 
 @pytest.mark.parametrize(
     ("low", "high", "told"),
-    [(1.767, 1.787, "1.777 ± 0.010"), (1.5, 2.5, "2.00 ± 0.50"), (100, 160, "130 ± 30")],
+    [
+        (1.767, 1.787, "1.777 ± 0.010"),
+        (1.5, 2.5, "2.00 ± 0.50"),
+        (100, 160, "130 ± 30"),
+        (1.5, 1.5, "1.5"),
+        (0.9e38, 1.1e38, "1e+38 ± 1e+37"),
+    ],
 )
 def test_interval(low: float, high: float, told: str) -> None:
     assert interval_text(ratio(low, high)) == told
+
+
+def test_sentence_of_different_outcomes() -> None:
+    water, none, hidden = ratio(1.77, 1.79), ratio(0.95, 1.05), ratio(-np.inf, np.inf)
+    assert sentence(none, water) == (
+        "B is 1.780 ± 0.010 × as bright as A in the brightest 5 % of the pixels: possibly one "
+        "uncancelled η² = 1.777 (η = 1.333, water); B is 1.000 ± 0.050 × as bright as A over the "
+        "whole picture: no difference is resolved (95% confidence each)."
+    )
+    assert sentence(hidden, none) == (
+        "B is 1.000 ± 0.050 × as bright as A in the brightest 5 % of the pixels: no difference is "
+        "resolved; noise hides the ratio over the whole picture (95% confidence each)."
+    )
+    assert sentence(none, none) == (
+        "B is 1.000 ± 0.050 × as bright as A in the brightest 5 % of the pixels and 1.000 ± 0.050 "
+        "× over the whole picture (95% confidence each): no difference is resolved."
+    )
+
+
+def test_lopsided_interval_is_told_by_its_ends() -> None:
+    """2.3 ± 2.5 would seem to hold 1, which this does not."""
+    assert interval_text(Ratio(2.3, 1.1, 4.8, 100, "variance")) == "2.3 (1.1 to 4.8)"

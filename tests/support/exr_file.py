@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 import OpenEXR
 
+Plane = npt.NDArray[np.generic]
 
-def write_channels(file: Path, channels: dict[str, npt.NDArray[np.generic]]) -> Path:
-    """Planes (h, w) by name."""
-    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
-    with OpenEXR.File(header, channels) as written:
+
+def write_channels(file: Path, channels: Mapping[str, Plane], **attributes: object) -> Path:
+    """Planes (h, w) by name, in one part."""
+    return write_parts(file, {"": channels}, **attributes)
+
+
+def write_parts(file: Path, parts: Mapping[str, Mapping[str, Plane]], **attributes: object) -> Path:
+    """Channels by the parts' names, each part with the same attributes."""
+    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage} | attributes
+    made = [OpenEXR.Part(dict(header), dict(planes), name) for name, planes in parts.items()]
+    with OpenEXR.File(made) as written:
         written.write(str(file))
     return file
 
@@ -25,7 +34,7 @@ def write_color(file: Path, color: npt.ArrayLike, variance: npt.ArrayLike | None
     return write_channels(file, channels)
 
 
-def _planes(prefix: str, values: npt.NDArray[np.generic]) -> dict[str, npt.NDArray[np.generic]]:
+def _planes(prefix: str, values: Plane) -> dict[str, Plane]:
     return {
         f"{prefix}{name}": np.ascontiguousarray(values[..., index], dtype=np.float32)
         for index, name in enumerate("RGB")

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from etendue.arrays import BoolArray
 from etendue.comparison.comparison import Comparison
 from etendue.comparison.figures import figures
-from etendue.comparison.region import BoolArray
 from etendue.html import common_exposure, legend, picture_url, ratio_map_url, rendered
 from etendue.text_file import write_text
 

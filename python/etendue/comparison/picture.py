@@ -3,33 +3,38 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
-import numpy.typing as npt
 
+from etendue.arrays import FloatArray, Pixels
 from etendue.luminance import luminance
 
-FloatArray = npt.NDArray[np.float64]
+#: CIE x, y of red, green, blue and white; an EXR file that names none has these.
+REC709_CHROMATICITIES = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
 
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A file's colour, scene-linear and taken for Rec.709, row 0 on top. All values are finite."""
+    """A file's colour, scene-linear, row 0 on top. All values are finite."""
 
     file: str
     window: tuple[int, int, int, int]
     """(x0, y0, x1, y1) within the full image, x1 and y1 excluded."""
-    color: FloatArray
+    color: Pixels
     """(h, w, 3)"""
-    variance: FloatArray | None
+    variance: Pixels | None
     """(h, w, 3), of the pixels' means; None when the file does not know it."""
+    layer: str = ""
+    """What stands before .R, .G and .B in the file; empty for the plain ones."""
+    chromaticities: tuple[float, ...] = REC709_CHROMATICITIES
 
-    @property
+    @cached_property
     def luminance(self) -> FloatArray:
-        """(h, w)"""
+        """(h, w), by Rec.709's weights whatever the primaries: any fixed weights give a ratio."""
         return luminance(self.color)
 
-    @property
+    @cached_property
     def luminance_variance(self) -> FloatArray | None:
         """(h, w), an upper bound: what the channels have in common no file tells.
 

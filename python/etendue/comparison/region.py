@@ -5,12 +5,9 @@ from __future__ import annotations
 from math import ceil
 
 import numpy as np
-import numpy.typing as npt
 
-from etendue.comparison.picture import FloatArray
+from etendue.arrays import BoolArray, FloatArray
 from etendue.extras import extra
-
-BoolArray = npt.NDArray[np.bool_]
 
 #: Part of the pixels that is called the brightest region.
 BRIGHTEST = 0.05
@@ -28,7 +25,8 @@ def brightest_region(guide: FloatArray) -> BoolArray:
     # Mirrored, not repeated, at the border: a repeated pixel would be its own neighbour.
     means = extra("scipy.ndimage").uniform_filter(guide, NEIGHBOURS, mode="mirror")
     around = (count * means - guide) / (count - 1)
+    wanted = ceil(BRIGHTEST * guide.size)
     chosen = np.zeros(guide.size, dtype=np.bool_)
-    order = np.argsort(-around, axis=None, kind="stable")
-    chosen[order[: ceil(BRIGHTEST * guide.size)]] = True
+    # A partition: of eight million pixels a sort takes ten times as long.
+    chosen[np.argpartition(around, guide.size - wanted, axis=None)[guide.size - wanted :]] = True
     return chosen.reshape(guide.shape)

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from etendue import _core
+from etendue.arrays import Pixels
 from etendue.extras import extra
-from etendue.luminance import FloatArray, luminance
+from etendue.luminance import luminance
 
 #: What the mean luminance becomes before the display transform: middle grey, ...
 GREY = 0.18
@@ -19,7 +20,7 @@ GREY = 0.18
 HIGHLIGHT = 2.0
 
 
-def common_exposure(*pictures: FloatArray) -> float:
+def common_exposure(*pictures: Pixels) -> float:
     """The factor that makes pictures (h, w, 3) of one scene comparable by eye."""
     luminances = np.concatenate([luminance(picture).ravel() for picture in pictures])
     mean, bright = float(luminances.mean()), float(np.percentile(luminances, 99))
@@ -28,7 +29,7 @@ def common_exposure(*pictures: FloatArray) -> float:
     return GREY / mean if bright <= 0 else min(GREY / mean, HIGHLIGHT / bright)
 
 
-def picture_url(color: FloatArray, exposure: float) -> str:
+def picture_url(color: Pixels, exposure: float) -> str:
     """Of (h, w, 3), scene-linear Rec.709, through the default display and view.
 
     256 colours, dithered: noise does not compress, and a page of true-colour renders is three

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from etendue.arrays import BoolArray, FloatArray
 from etendue.extras import extra
 from etendue.html.pictures import png_url
-from etendue.luminance import FloatArray
 
 #: Blue and red of equal lightness tell all kinds of colour vision apart.
 _COLORS = "RdBu_r"
@@ -44,9 +44,7 @@ def legend(full_scale: float) -> Legend:
     )
 
 
-def ratio_map_url(
-    ratio: FloatArray, full_scale: float, outlined: npt.NDArray[np.bool_] | None = None
-) -> str:
+def ratio_map_url(ratio: FloatArray, full_scale: float, outlined: BoolArray | None = None) -> str:
     """Of (h, w), one pixel for each; NaN is grey. The edge of the region outlined is black."""
     entries = _palette_entries(ratio, full_scale)
     if outlined is not None:
@@ -71,7 +69,7 @@ def _palette() -> list[int]:
     return [*map(int, colors.ravel()), *_OUTLINE_COLOR, *_NOTHING_COLOR]
 
 
-def _edge(region: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+def _edge(region: BoolArray) -> BoolArray:
     """The pixels of the region that have a neighbour outside; the picture's end is none."""
     padded = np.pad(region, 1, mode="edge")
     inside = padded[:-2, 1:-1] & padded[2:, 1:-1] & padded[1:-1, :-2] & padded[1:-1, 2:]

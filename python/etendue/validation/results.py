@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-import numpy as np
-import numpy.typing as npt
+from etendue.arrays import FloatArray
 
-FloatArray = npt.NDArray[np.float64]
 Strategy = tuple[int, int]
 
 

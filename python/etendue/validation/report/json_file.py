@@ -8,12 +8,12 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
+from etendue.arrays import FloatArray
 from etendue.validation.results import (
     CaseResult,
     Check,
     Cost,
     Estimate,
-    FloatArray,
     PicturePair,
     Plot,
     Pyramid,

@@ -8,9 +8,10 @@ from math import ceil
 
 import numpy as np
 
+from etendue.arrays import FloatArray
 from etendue.html import common_exposure, picture_url
 from etendue.luminance import luminance
-from etendue.validation.results import FloatArray, Pyramid, Strategy
+from etendue.validation.results import Pyramid, Strategy
 
 #: Pixels. There are many of these pictures, and they are shown small.
 WIDTH = 160
