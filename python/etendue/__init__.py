@@ -25,6 +25,7 @@ from etendue.settings import RenderOptions
 from etendue.stage import Stage
 from etendue.stage import open_stage as open  # noqa: A004 - reads etendue.open(...)
 from etendue.usd_reader import StageWarning
+from etendue.validation import ValidationResult, validate
 
 __all__ = [
     "Comparison",
@@ -43,7 +44,9 @@ __all__ = [
     "SettingsError",
     "Stage",
     "StageWarning",
+    "ValidationResult",
     "__version__",
     "compare",
     "open",
+    "validate",
 ]

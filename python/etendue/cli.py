@@ -1,4 +1,4 @@
-"""The command line: etendue render, etendue inspect, etendue compare."""
+"""The command line: etendue render, inspect, compare, validate."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from etendue.image import Image
 from etendue.inspection_table import inspection_table
 from etendue.progress import duration, progress_display
 from etendue.settings import AOVS, DEFAULT_SAMPLES, FILTERS, INTEGRATORS, RenderOptions
+from etendue.validation.command import validate_command
 
 CORE_DEFAULTS = _core.RenderSettings()
 
@@ -272,6 +273,9 @@ def compare(
         console.print(comparison_table(found))
         console.print(found.sentence, markup=False)
     return DIFFERENT if tolerance is not None and found.differs(tolerance) else 0
+
+
+app.command("validate")(validate_command)
 
 
 def _open(stage: str, frame: float | None, *, quiet: bool = False) -> etendue.Stage:

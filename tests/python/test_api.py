@@ -423,3 +423,12 @@ def test_stage_outlives_the_usd_stage(build: StageBuilder) -> None:
     stage = etendue.open(build.lit_quad().stage)
     build.stage = Usd.Stage.CreateInMemory()
     stage.render(**SMALL)
+
+
+def test_normals_are_those_of_shading() -> None:
+    """A normal map shows in them, and takes nothing from their length."""
+    stage = etendue.open(Path(__file__).parents[2] / "stages" / "bump_plane.usda")
+    normal = stage.render(spp=1, resolution=(32, 24), max_depth=0, aovs=["normal"])["normal"]
+    assert np.linalg.norm(normal, axis=-1) == pytest.approx(1, abs=1e-5)
+    # The plane's own is (0, 1, 0); the map's slopes are up to 46 degrees, halved.
+    assert 0.7 < normal[..., 1].min() < 0.95

@@ -68,8 +68,11 @@ Vec3 mapped_normal(const TextureSet& textures, int texture, const SurfaceInterac
 Bsdf make_bsdf(const MaterialDesc& material, const TextureSet& textures, const SurfaceInteraction& si) {
     const InputReader read(textures, si.st);
     const BsdfModel model = std::visit([&](const auto& m) { return make_model(m, read); }, material.model);
-    const Vec3 n_s = material.normal_texture < 0 ? si.n_s : mapped_normal(textures, material.normal_texture, si);
-    return Bsdf(model, Frame::from_normal(n_s), si.n_g);
+    return Bsdf(model, Frame::from_normal(shading_normal(material, textures, si)), si.n_g);
+}
+
+Vec3 shading_normal(const MaterialDesc& material, const TextureSet& textures, const SurfaceInteraction& si) {
+    return material.normal_texture < 0 ? si.n_s : mapped_normal(textures, material.normal_texture, si);
 }
 
 Rgb material_emission(const MaterialDesc& material, const TextureSet& textures, const Vec2& st) {

@@ -14,7 +14,7 @@ inline void record_surface(const RenderContext& context, const std::optional<Sur
     if (!context.wants_surface || !si) return;
     sample.hit = true;
     sample.depth = context.camera.depth(si->p);
-    sample.normal = si->n_s;
+    sample.normal = context.scene.shading_normal(*si);
     if (context.wants_albedo) sample.albedo = context.scene.albedo(*si);
 }
 

@@ -271,6 +271,11 @@ bool Scene::sees_infinity(const RayEnd& a, const Vec3& direction) const {
     return !accel_->occluded({offset_origin(a.p, a.p_error, a.n_g, direction), direction}, kInfinity);
 }
 
+Vec3 Scene::shading_normal(const SurfaceInteraction& si) const {
+    if (!scatters(si)) return si.n_s;
+    return etendue::shading_normal(materials_[static_cast<std::size_t>(si.material)], textures_, si);
+}
+
 Rgb Scene::albedo(const SurfaceInteraction& si) const {
     if (!scatters(si)) return {};
     return material_albedo(materials_[static_cast<std::size_t>(si.material)], textures_, si.st);

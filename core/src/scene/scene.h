@@ -53,6 +53,8 @@ public:
         return make_bsdf(materials_[static_cast<std::size_t>(si.material)], textures_, si);
     }
     [[nodiscard]] Rgb albedo(const SurfaceInteraction& si) const;
+    /// What the surface shades with: n_s, with the material's normal map if it has one.
+    [[nodiscard]] Vec3 shading_normal(const SurfaceInteraction& si) const;
 
     /// Whether any body absorbs light inside it. If none does, all media are those of nowhere.
     [[nodiscard]] bool absorbs() const { return absorption_.any(); }

@@ -39,7 +39,7 @@ def read_stage(path_or_stage: StageLike, frame: float | None = None) -> StageCon
 
     Raises FileError naming the file when there is none or it is not a stage.
     """
-    stage, source = _open(path_or_stage)
+    stage, source = open_usd(path_or_stage)
     if frame is None:
         frame = float(stage.GetStartTimeCode())
     context = ReadContext(stage=stage, time=Usd.TimeCode(frame), source=source)
@@ -67,7 +67,8 @@ def read_stage(path_or_stage: StageLike, frame: float | None = None) -> StageCon
     )
 
 
-def _open(path_or_stage: StageLike) -> tuple[Usd.Stage, str]:
+def open_usd(path_or_stage: StageLike) -> tuple[Usd.Stage, str]:
+    """The stage and what to call it. Raises FileError when there is none, or it is not a stage."""
     if isinstance(path_or_stage, Usd.Stage):
         layer = path_or_stage.GetRootLayer()
         return path_or_stage, str(layer.realPath or layer.identifier)

@@ -92,3 +92,24 @@ def floor_irradiance(normal_irradiance: float, cos_incidence: float, eta: float)
     sends back up and the surface returns is not in it: a black floor, or one bounce.
     """
     return normal_irradiance * cos_incidence * (1 - fresnel_reflectance(cos_incidence, eta))
+
+
+def floor_irradiance_under_lamp(
+    intensity: float, height: float, depth: float, eta: float, radius: npt.ArrayLike
+) -> npt.NDArray[np.float64]:
+    """The same from a small level lamp of `intensity` straight down, `height` above the water.
+
+    `radius`, of any shape, is the distance from the floor's point below the lamp, which shines
+    with the cosine of the angle from straight down. theory.md §5: what leaves the lamp within
+    d theta arrives in a ring of the floor, whose radius Snell's law gives; no eta^2 comes in.
+    """
+    theta = np.linspace(0.0, np.radians(85.0), 20_001)
+    theta_t = np.arcsin(np.sin(theta) / eta)
+    ring = height * np.tan(theta) + depth * np.tan(theta_t)
+    transmitted = np.array([1 - fresnel_reflectance(float(cos), eta) for cos in np.cos(theta)])
+    d_ring = np.gradient(ring, theta)
+    # sin(theta) / r at the middle, where both are 0, is 1 / (dr / dtheta).
+    shrink = np.divide(np.sin(theta), ring, out=1 / d_ring, where=ring > 0)
+    values = intensity * np.cos(theta) * transmitted * shrink / d_ring
+    irradiance: npt.NDArray[np.float64] = np.interp(np.asarray(radius), ring, values)
+    return irradiance

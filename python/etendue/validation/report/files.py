@@ -13,16 +13,22 @@ from etendue.validation.report.page import as_html
 from etendue.validation.results import ValidationResult
 
 
-def write_report(result: ValidationResult, directory: str | os.PathLike[str]) -> Path:
-    """The page to look at. The directory is made if there is none.
-
-    Raises FileError when something cannot be written, Error when the extra `report` is missing.
-    """
+def make_directory(directory: str | os.PathLike[str]) -> Path:
+    """With its parents, if it is not there. Raises FileError."""
     folder = Path(directory)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise FileError(f"{folder}: {error.strerror or error}") from error
+    return folder
+
+
+def write_report(result: ValidationResult, directory: str | os.PathLike[str]) -> Path:
+    """The page to look at. The directory is made if there is none.
+
+    Raises FileError when something cannot be written, Error when the extra `report` is missing.
+    """
+    folder = make_directory(directory)
     write_text(folder / "results.json", as_json(result))
     write_text(folder / "results.csv", as_csv(result))
     page = folder / "index.html"

@@ -1,0 +1,94 @@
+"""etendue validate, on the command line."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+from etendue.progress import duration
+from etendue.validation.report import summary_table, write_report
+from etendue.validation.report.files import make_directory
+from etendue.validation.results import Check, ValidationResult
+from etendue.validation.runner import Progress as Report
+from etendue.validation.runner import case_names, validate
+
+#: Status when a measurement leaves its prediction: 1 and 2 are errors of use.
+FAILED = 3
+
+
+def validate_command(
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Write index.html, results.json and results.csv there."),
+    ] = None,
+    full: Annotated[
+        bool,
+        typer.Option("--full/--quick", help="Quick: 3 minutes on 2 cores; full: 30."),
+    ] = False,
+    case: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME", help=f"Repeatable; default: all. {', '.join(case_names())}"),
+    ] = None,
+    seed: Annotated[int, typer.Option(help="The same seed gives the same figures.")] = 1,
+) -> int:
+    """Show what goes wrong without the adjoint corrections: predicted, and measured."""
+    if out is not None:
+        make_directory(out)  # refused before the work
+    with _progress() as progress:
+        result = validate(case, effort="full" if full else "quick", seed=seed, progress=progress)
+    console = Console(highlight=False)
+    console.print(summary_table(result))
+    for line in _told(result):
+        console.print(line, markup=False, soft_wrap=True)
+    if out is not None:
+        print(f"wrote {write_report(result, out)}", file=sys.stderr)
+    return 0 if result.passed else FAILED
+
+
+def _told(result: ValidationResult) -> Iterator[str]:
+    """The outcome in plain words."""
+    for case in result.cases:
+        for check in case.checks:
+            if not check.passed:
+                yield f"failed: {case.name}: {_failure(check)}"
+    for error in result.diagnoses:
+        yield f"this explains it: {error}"
+    held = sum(check.passed for check in result.checks)
+    yield f"{held} of {len(result.checks)} predictions hold, {duration(result.seconds)}"
+
+
+def _failure(check: Check) -> str:
+    measured = check.measured
+    told = (
+        f"{check.name}: {check.quantity} is {measured.value:.4g} "
+        f"({measured.low:.4g} to {measured.high:.4g}), predicted {check.predicted:.4g}"
+    )
+    return f"{told}; {' or '.join(check.explanations)}" if check.explanations else told
+
+
+@contextmanager
+def _progress() -> Iterator[Report]:
+    """A bar on a terminal, a line per case elsewhere."""
+    console = Console(file=sys.stderr, highlight=False)
+    if not console.is_terminal:
+        yield lambda name, done, total: console.print(f"validating {done + 1}/{total}: {name}")
+        return
+    with Progress(
+        TextColumn("validating"),
+        BarColumn(),
+        TextColumn("{task.description}"),
+        TimeElapsedColumn(),
+        console=console,
+        transient=True,
+    ) as bar:
+        task = bar.add_task("", total=None)
+        yield lambda name, done, total: bar.update(
+            task, completed=done, total=total, description=name
+        )

@@ -1,0 +1,58 @@
+"""Pictures for the report, and blocks of pictures for the checks."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from etendue.arrays import FloatArray
+from etendue.luminance import luminance
+from etendue.validation.results import PicturePair
+from etendue.validation.shots import Shot, Studio
+from etendue.validation.statistics import Blocks, Samples
+
+
+def picture_pair(
+    studio: Studio,
+    shot: Shot,
+    correction: str,
+    spp: int,
+    title: str,
+    caption: str,
+    *,
+    full_scale: float = 2.0,
+    predicted_ratio: FloatArray | None = None,
+) -> PicturePair:
+    """The shot with and without a correction, from the same random numbers."""
+    right = np.asarray(studio.image(shot, spp).color, dtype=np.float64)
+    wrong = np.asarray(studio.image(shot.without(correction), spp).color, dtype=np.float64)
+    return PicturePair(
+        title, caption, right, wrong, ratio_map(right, wrong), full_scale, predicted_ratio
+    )
+
+
+def ratio_map(right: FloatArray, wrong: FloatArray) -> FloatArray:
+    """(h, w): luminance of wrong over right; NaN where right is black."""
+    below = luminance(right)
+    ratio: FloatArray = np.full(below.shape, np.nan)
+    np.divide(luminance(wrong), below, out=ratio, where=below > 0)
+    return ratio
+
+
+def blocks_of(
+    measured: FloatArray, reference: FloatArray, rows: int, columns: int, floor: float = 0.02
+) -> Blocks:
+    """Of takes (n, h, w) each: the ratio in rows x columns blocks of the picture.
+
+    Blocks darker than `floor` times the mean say nothing and are left out.
+    """
+    top, bottom = _block_means(measured, rows, columns), _block_means(reference, rows, columns)
+    lit = bottom.mean(axis=0) > floor * bottom.mean()
+    return Blocks(tuple(Samples(top[:, i], bottom[:, i]) for i in np.flatnonzero(lit)))
+
+
+def _block_means(takes: FloatArray, rows: int, columns: int) -> FloatArray:
+    """(n, h, w) to (n, rows * columns); rows divide h and columns w."""
+    n, height, width = takes.shape
+    cut = takes.reshape(n, rows, height // rows, columns, width // columns)
+    means: FloatArray = cut.mean(axis=(2, 4)).reshape(n, -1)
+    return means

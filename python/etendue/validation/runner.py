@@ -1,0 +1,101 @@
+"""etendue.validate()."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable
+
+from etendue.exceptions import SettingsError
+from etendue.validation.case import Case, Outcome
+from etendue.validation.cases import CASES
+from etendue.validation.claims import FALSE_ALARM
+from etendue.validation.diagnosis import diagnose
+from etendue.validation.effort import EFFORTS, Effort
+from etendue.validation.environment import environment
+from etendue.validation.results import CaseResult, ValidationResult
+from etendue.validation.shots import Renderer, Studio, render
+from etendue.validation.statistics import LEVEL, at_least_one
+
+Progress = Callable[[str, int, int], object]
+"""(case about to run, how many have run, how many there are)"""
+
+
+def validate(
+    cases: Iterable[str] | None = None,
+    *,
+    effort: str = "quick",
+    seed: int = 1,
+    progress: Progress | None = None,
+    renderer: Renderer = render,
+) -> ValidationResult:
+    """Renders the validation cases with and without the adjoint corrections (theory.md §5-§7).
+
+    `cases` are names of case_names(), default all. `effort` is "quick" or "full", which has eight
+    times the samples and finer sweeps. The same seed gives the same result on any machine, but for
+    what is timed. `renderer` makes the pictures; another one may be tried in place of ours.
+
+    Raises SettingsError for a name that is not known, Error when the extra `report` is not
+    installed.
+    """
+    chosen = _chosen(cases)
+    how = _effort(effort)
+    started = time.perf_counter()
+    outcomes: list[Outcome] = []
+    results: list[CaseResult] = []
+    for number, case in enumerate(chosen):
+        if progress:
+            progress(case.name, number, len(chosen))
+        outcome, result = _run(case, Studio(seed, renderer), how)
+        outcomes.append(outcome)
+        results.append(result)
+    checks = sum(len(result.checks) for result in results)
+    return ValidationResult(
+        cases=tuple(results),
+        effort=how.name,
+        seed=seed,
+        false_alarm_rate=at_least_one(FALSE_ALARM, checks),
+        level=LEVEL,
+        environment=environment(),
+        seconds=time.perf_counter() - started,
+        diagnoses=diagnose([claim for outcome in outcomes for claim in outcome.claims]),
+    )
+
+
+def case_names() -> tuple[str, ...]:
+    """Of all cases, in the order they run."""
+    return tuple(case.name for case in CASES)
+
+
+def _run(case: Case, studio: Studio, effort: Effort) -> tuple[Outcome, CaseResult]:
+    started = time.perf_counter()
+    outcome = case.run(studio, effort)
+    return outcome, CaseResult(
+        name=case.name,
+        title=case.title,
+        lesson=case.paragraphs,
+        headline=outcome.headline,
+        checks=tuple(claim.check() for claim in outcome.claims),
+        figures=outcome.figures,
+        costs=outcome.costs,
+        seconds=time.perf_counter() - started,
+        renders=studio.renders,
+        paths=studio.paths,
+    )
+
+
+def _chosen(names: Iterable[str] | None) -> list[Case]:
+    if names is None:
+        return list(CASES)
+    wanted = list(names)
+    for name in wanted:
+        if name not in case_names():
+            raise SettingsError(f"unknown case '{name}'; there are: {', '.join(case_names())}")
+    return [case for case in CASES if case.name in wanted]
+
+
+def _effort(name: str) -> Effort:
+    for effort in EFFORTS:
+        if effort.name == name:
+            return effort
+    known = ", ".join(effort.name for effort in EFFORTS)
+    raise SettingsError(f"unknown effort '{name}'; there are: {known}")
