@@ -105,6 +105,11 @@ def test_summary_comes_first(browser: Browser, page: Path) -> None:
 
 def test_page_of_a_run_that_holds(browser: Browser, tmp_path: Path) -> None:
     visit = Visit(browser, write_report(hidden_by_noise(HOLDS), tmp_path))
+    table = visit.page.locator("table.checks").first
+    assert not table.is_visible()
+    visit.page.locator("summary").first.click()
+    assert table.is_visible()
+    visit.unfold()
     told = visit.page.inner_text("body")
     assert "✓ All 5 predictions hold" in told
     assert "hidden by noise" in told

@@ -63,6 +63,12 @@ class Visit:
             self._complain("request", url)
             route.abort()
 
+    def unfold(self) -> None:
+        """What a reader opens at a click."""
+        self.page.evaluate(
+            "document.querySelectorAll('details').forEach((d) => { d.open = true; })"
+        )
+
     def pictures_that_do_not_decode(self) -> list[str]:
         """Their alternative texts."""
         broken: list[str] = self.page.evaluate(
@@ -120,6 +126,7 @@ def check_page(browser: Browser, file: Path, width: int) -> None:
     """What must hold of every page of ours, at every width."""
     visit = Visit(browser, file, width)
     try:
+        visit.unfold()
         assert visit.pictures_that_do_not_decode() == []
         assert visit.what_sticks_out() == []
         assert visit.smallest_text() >= 12
