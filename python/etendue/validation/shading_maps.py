@@ -7,22 +7,27 @@ from dataclasses import replace
 import numpy as np
 
 from etendue.arrays import FloatArray
-from etendue.validation.shots import Shot, Studio, camera_of
+from etendue.validation.shots import Shot, Studio, Values, camera_of
 
 
 def predicted_ratio_map(
-    studio: Studio, shot: Shot, geometry: Shot, lamp: tuple[float, float, float], subpixels: int
+    studio: Studio,
+    shot: Shot,
+    without_normals: Values,
+    lamp: tuple[float, float, float],
+    subpixels: int,
 ) -> FloatArray:
     """(h, w): wrong over right of what a small lamp lights directly; NaN where it lights nothing.
 
-    Looks at so many points along each side of a pixel. `geometry` is the shot without shading
-    normals: normals seen at the same points in both are Ns and Ng. No scattering of the renderer's
-    is used, only what its camera rays meet.
+    Looks at so many points along each side of a pixel. `without_normals` takes the stage's shading
+    normals away: those seen at the same points with and without them are Ns and Ng. No scattering
+    of the renderer's is used, only what its camera rays meet.
     """
     width, height = shot.resolution
     fine = (width * subpixels, height * subpixels)
-    n_s, depth = _seen(studio, replace(shot, resolution=fine))
-    n_g, _ = _seen(studio, replace(geometry, resolution=fine))
+    seen = replace(shot, resolution=fine)
+    n_s, depth = _seen(studio, seen)
+    n_g, _ = _seen(studio, replace(seen, values={**shot.values, **without_normals}))
     wo, points = _points(shot, fine, depth)
     to_lamp = np.asarray(lamp) - points
     distance = np.linalg.norm(to_lamp, axis=-1)

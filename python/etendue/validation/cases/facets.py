@@ -62,7 +62,6 @@ def _sweep(
         y_label="wrong / right",
         predicted=tuple(curves),
         measured=tuple(measured),
-        log_y=True,
     )
     return claims, plot
 

@@ -26,6 +26,8 @@ WATER = 1.333
 RATIO = crossing_ratio(1, WATER)
 BLOCKS = (3, 4)
 EDGES = 3  # lamp, water, floor, eye
+#: Of the longest paths in the pyramid.
+PYRAMID_EDGES = 5
 FORMULA = "Σ f(s,t) w C / Σ w C"
 #: The strategies of that path that are looked at without weights.
 ALONE: tuple[Strategy, ...] = ((1, 3), (2, 2), (3, 1))
@@ -120,7 +122,7 @@ def _mixed(rights: Sequence[Image], wrongs: Sequence[Image]) -> list[Claim]:
     ]
 
 
-def _figures(studio: Studio, effort: Effort) -> tuple[PicturePair, Pyramid]:
+def _pair(studio: Studio, effort: Effort) -> PicturePair:
     shot = replace(POOL, resolution=effort.size(320, 240))
     spp = effort.picture_spp(128)
     right, wrong = (studio.image(each, spp) for each in (shot, shot.without(REFRACTION)))
@@ -128,7 +130,7 @@ def _figures(studio: Studio, effort: Effort) -> tuple[PicturePair, Pyramid]:
     lit = luminance(colors[0])
     predicted: FloatArray = np.full(lit.shape, np.nan)
     np.divide(_blend(right), lit, out=predicted, where=lit > 0)
-    pair = PicturePair(
+    return PicturePair(
         title="The blend",
         caption="Rough water, a large lamp, direct light. How wrong a pixel is depends on which "
         "strategies find its light well.",
@@ -137,26 +139,41 @@ def _figures(studio: Studio, effort: Effort) -> tuple[PicturePair, Pyramid]:
         ratio=ratio_map(*colors),
         predicted_ratio=predicted,
     )
+
+
+def _pyramid(studio: Studio, effort: Effort) -> Pyramid:
+    """With light that is scattered under water, too."""
+    shot = replace(
+        POOL,
+        resolution=effort.size(320, 240),
+        max_depth=PYRAMID_EDGES - 1,
+        strategy_images=PYRAMID_EDGES,
+    )
+    spp = effort.picture_spp(64)
+    images = {
+        "right": studio.image(shot, spp),
+        "wrong": studio.image(shot.without(REFRACTION), spp),
+    }
     layers = {
         (name, kind): {
             (s, t): layer
             for (s, t), layer in strategy_layers(image, kind).items()
-            if s + t - 1 == EDGES  # no shorter path brings light
+            if s + t - 1 >= EDGES  # no shorter path brings light
         }
-        for name, image in (("right", right), ("wrong", wrong))
+        for name, image in images.items()
         for kind in ("weighted", "unweighted")
     }
-    pyramid = Pyramid(
+    return Pyramid(
         title="Every strategy by itself",
-        caption="Strategies (s, t) of the same light: s vertices on the light's side, t on the "
-        "camera's. Unweighted, each is an estimate of the whole picture, and wrong code makes two "
-        "of them η² too bright; weighted, they add up to the picture above.",
+        caption="The same pool with two more bounces. Strategies (s, t) have s vertices on the "
+        "light's side and t on the camera's. Unweighted, each is an estimate of all light that "
+        "takes so many edges, and wrong code makes every one η² too bright that has crossed on the "
+        "light's side; weighted, they add up to the picture.",
         weighted_right=layers["right", "weighted"],
         weighted_wrong=layers["wrong", "weighted"],
         unweighted_right=layers["right", "unweighted"],
         unweighted_wrong=layers["wrong", "unweighted"],
     )
-    return pair, pyramid
 
 
 def run(studio: Studio, effort: Effort) -> Outcome:
@@ -166,7 +183,7 @@ def run(studio: Studio, effort: Effort) -> Outcome:
         headline=f"bdpt through rough water: {whole.predicted:.2f} ×, between 1 and η², as the "
         "weights have it",
         claims=tuple(claims),
-        figures=_figures(studio, effort),
+        figures=(_pair(studio, effort), _pyramid(studio, effort)),
     )
 
 

@@ -36,10 +36,6 @@ class Subject:
     title: str
     caption: str
 
-    @property
-    def geometry(self) -> Shot:
-        return replace(self.shot, values={**self.shot.values, **self.without_normals})
-
 
 PLANE = Subject(
     name="bump plane",
@@ -124,7 +120,6 @@ def _pictures(studio: Studio, effort: Effort, subject: Subject) -> PicturePair:
         resolution=effort.size(640, height * 640 // width),
         light_paths=PICTURE_LIGHT_PATHS,
     )
-    geometry = replace(subject.geometry, resolution=shot.resolution)
     return picture_pair(
         studio,
         shot,
@@ -132,7 +127,7 @@ def _pictures(studio: Studio, effort: Effort, subject: Subject) -> PicturePair:
         effort.picture_spp(16),
         subject.title,
         subject.caption,
-        predicted_ratio=predicted_ratio_map(studio, shot, geometry, subject.lamp, 3),
+        predicted_ratio=predicted_ratio_map(studio, shot, subject.without_normals, subject.lamp, 3),
     )
 
 
@@ -140,7 +135,9 @@ def run(studio: Studio, effort: Effort) -> Outcome:
     claims: list[Claim] = []
     figures = []
     for subject in (PLANE, SPHERES):
-        predicted = predicted_ratio_map(studio, subject.shot, subject.geometry, subject.lamp, 8)
+        predicted = predicted_ratio_map(
+            studio, subject.shot, subject.without_normals, subject.lamp, 8
+        )
         claims += _errors(studio, effort, subject, np.nan_to_num(predicted, nan=1.0))
         claims += _agreement(studio, effort, subject)
         figures.append(_pictures(studio, effort, subject))
