@@ -30,7 +30,7 @@ def validate_command(
     ] = None,
     full: Annotated[
         bool,
-        typer.Option("--full/--quick", help="Quick: 3 minutes on 2 cores; full: 30."),
+        typer.Option("--full/--quick", help="Quick: 3 minutes on 2 cores; full: 20."),
     ] = False,
     case: Annotated[
         list[str] | None,

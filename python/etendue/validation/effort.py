@@ -35,5 +35,5 @@ class Effort:
 
 
 QUICK = Effort("quick", 1.0, 16, full=False)
-FULL = Effort("full", 8.0, 16, full=True)
+FULL = Effort("full", 4.0, 16, full=True)
 EFFORTS: Sequence[Effort] = (QUICK, FULL)

@@ -41,7 +41,7 @@ class Check:
     p_value: float
     """How probable a measurement this far off is, if the prediction is true."""
     passed: bool
-    """The p-value is no smaller than the suite's false-alarm rate, shared out over its checks."""
+    """The p-value is no smaller than the rate at which a check may refuse a true prediction."""
     explanations: tuple[str, ...] = ()
     """Of a failed check: the errors in a renderer that would lead to what was measured."""
 

@@ -30,7 +30,7 @@ def validate(
 ) -> ValidationResult:
     """Renders the validation cases with and without the adjoint corrections (theory.md §5-§7).
 
-    `cases` are names of case_names(), default all. `effort` is "quick" or "full", which has eight
+    `cases` are names of case_names(), default all. `effort` is "quick" or "full", which has four
     times the samples and finer sweeps. The same seed gives the same result on any machine, but for
     what is timed. `renderer` makes the pictures; another one may be tried in place of ours.
 
