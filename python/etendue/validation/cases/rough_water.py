@@ -25,9 +25,15 @@ QUICK, FULL = (0.1, 0.3, 0.6), (0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.8)
 FORMULAS = {"enter": "η²", "leave": "η⁻²"}
 
 
-def _or_the_camera(claim: Claim, ratio: float) -> Claim:
-    """Path tracing may be what is wrong."""
-    return replace(claim, under={**claim.under, **seen_by_camera(ratio)})
+def _or_the_camera(claims: list[Claim], ratio: float) -> list[Claim]:
+    """Path tracing may be what is wrong, which changes nothing in light paths with each other."""
+    against_path, alone = claims
+    seen = seen_by_camera(ratio)
+    unmoved = dict.fromkeys(seen, alone.predicted)
+    return [
+        replace(against_path, under={**against_path.under, **seen}),
+        replace(alone, under={**alone.under, **unmoved}),
+    ]
 
 
 def _by_bdpt(
@@ -75,7 +81,7 @@ def run(studio: Studio, effort: Effort) -> Outcome:
                 studio, shot, REFRACTION, effort.spp(256), effort.takes, f"{name}, light"
             )
             found = pair.claims(path, "path", formula, ratio)
-            claims += [_or_the_camera(found[0], ratio), found[1]]
+            claims += _or_the_camera(found, ratio)
             claims += _by_bdpt(studio, effort, crossing, roughness, name, path, ratio)
             points.append((roughness, pair.measured))
         measured.append(measured_series(label, points))
