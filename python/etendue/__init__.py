@@ -17,6 +17,7 @@ from etendue.exceptions import (
     Interrupted,
     SceneError,
     SettingsError,
+    ValidationInterrupted,
 )
 from etendue.image import Image
 from etendue.inspection import Inspection
@@ -44,6 +45,7 @@ __all__ = [
     "SettingsError",
     "Stage",
     "StageWarning",
+    "ValidationInterrupted",
     "ValidationResult",
     "__version__",
     "compare",

@@ -18,6 +18,7 @@ from etendue import _core
 from etendue.comparison import write_page
 from etendue.comparison.causes import INDICES
 from etendue.comparison.figures import comparison_table
+from etendue.exit_status import DIFFERENT, INTERRUPTED
 from etendue.image import Image
 from etendue.inspection_table import inspection_table
 from etendue.progress import duration, progress_display
@@ -34,8 +35,6 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 
-DIFFERENT = 3  # not 1 or 2: a script can tell a difference from a file that cannot be read
-INTERRUPTED = 130  # 128 + SIGINT, as shells have it
 
 StageArgument = Annotated[str, typer.Argument(metavar="STAGE", help="A USD file.")]
 FrameOption = Annotated[

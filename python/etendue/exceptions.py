@@ -8,6 +8,7 @@ from etendue._core import Error, FileError, SceneError, SettingsError
 
 if TYPE_CHECKING:
     from etendue.image import Image
+    from etendue.validation.results import ValidationResult
 
 __all__ = [
     "ComparisonError",
@@ -17,6 +18,7 @@ __all__ = [
     "Interrupted",
     "SceneError",
     "SettingsError",
+    "ValidationInterrupted",
 ]
 
 
@@ -34,3 +36,11 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, image: Image) -> None:
         super().__init__("the render was interrupted")
         self.image = image
+
+
+class ValidationInterrupted(KeyboardInterrupt):
+    """Ctrl-C during a validation. `result` holds the cases that had finished by then."""
+
+    def __init__(self, result: ValidationResult) -> None:
+        super().__init__("the validation was interrupted")
+        self.result = result

@@ -12,15 +12,14 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
+from etendue.exceptions import ValidationInterrupted
+from etendue.exit_status import DIFFERENT, INTERRUPTED
 from etendue.progress import duration
 from etendue.validation.report import summary_table, write_report
 from etendue.validation.report.files import make_directory
 from etendue.validation.results import Check, ValidationResult
 from etendue.validation.runner import Progress as Report
 from etendue.validation.runner import case_names, validate
-
-#: Status when a measurement leaves its prediction: 1 and 2 are errors of use.
-FAILED = 3
 
 
 def validate_command(
@@ -38,18 +37,27 @@ def validate_command(
     ] = None,
     seed: Annotated[int, typer.Option(help="The same seed gives the same figures.")] = 1,
 ) -> int:
-    """Show what goes wrong without the adjoint corrections: predicted, and measured."""
+    """Show what goes wrong without the adjoint corrections: predicted, and measured.
+
+    Ctrl-C tells of, and writes, the cases that have finished.
+    """
     if out is not None:
         make_directory(out)  # refused before the work
+    status = 0
     with _progress() as progress:
-        result = validate(case, effort="full" if full else "quick", seed=seed, progress=progress)
+        try:
+            result = validate(
+                case, effort="full" if full else "quick", seed=seed, progress=progress
+            )
+        except ValidationInterrupted as interruption:
+            status, result = INTERRUPTED, interruption.result
     console = Console(highlight=False)
     console.print(summary_table(result))
     for line in _told(result):
         console.print(line, markup=False, soft_wrap=True)
     if out is not None:
         print(f"wrote {write_report(result, out)}", file=sys.stderr)
-    return 0 if result.passed else FAILED
+    return status if result.passed else DIFFERENT
 
 
 def _told(result: ValidationResult) -> Iterator[str]:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
 
-from etendue.exceptions import SettingsError
-from etendue.validation.case import Case, Outcome
+from etendue.exceptions import SettingsError, ValidationInterrupted
+from etendue.validation.case import Case
 from etendue.validation.cases import CASES
-from etendue.validation.claims import FALSE_ALARM
+from etendue.validation.claims import FALSE_ALARM, Claim
 from etendue.validation.diagnosis import diagnose
 from etendue.validation.effort import EFFORTS, Effort
 from etendue.validation.environment import environment
@@ -35,30 +36,20 @@ def validate(
     what is timed. `renderer` makes the pictures; another one may be tried in place of ours.
 
     Raises SettingsError for a name that is not known, Error when the extra `report` is not
-    installed.
+    installed, and on Ctrl-C ValidationInterrupted, which carries the cases that have finished.
     """
     chosen = _chosen(cases)
-    how = _effort(effort)
-    started = time.perf_counter()
-    outcomes: list[Outcome] = []
-    results: list[CaseResult] = []
-    for number, case in enumerate(chosen):
-        if progress:
-            progress(case.name, number, len(chosen))
-        outcome, result = _run(case, Studio(seed, renderer), how)
-        outcomes.append(outcome)
-        results.append(result)
-    checks = sum(len(result.checks) for result in results)
-    return ValidationResult(
-        cases=tuple(results),
-        effort=how.name,
-        seed=seed,
-        false_alarm_rate=at_least_one(FALSE_ALARM, checks),
-        level=LEVEL,
-        environment=environment(),
-        seconds=time.perf_counter() - started,
-        diagnoses=diagnose([claim for outcome in outcomes for claim in outcome.claims]),
-    )
+    run = _Run(_effort(effort), seed, renderer)
+    try:
+        for number, case in enumerate(chosen):
+            if progress:
+                progress(case.name, number, len(chosen))
+            run.add(case)
+    except KeyboardInterrupt:
+        if not run.cases:
+            raise
+        raise ValidationInterrupted(run.result()) from None
+    return run.result()
 
 
 def case_names() -> tuple[str, ...]:
@@ -66,21 +57,47 @@ def case_names() -> tuple[str, ...]:
     return tuple(case.name for case in CASES)
 
 
-def _run(case: Case, studio: Studio, effort: Effort) -> tuple[Outcome, CaseResult]:
-    started = time.perf_counter()
-    outcome = case.run(studio, effort)
-    return outcome, CaseResult(
-        name=case.name,
-        title=case.title,
-        lesson=case.paragraphs,
-        headline=outcome.headline,
-        checks=tuple(claim.check() for claim in outcome.claims),
-        figures=outcome.figures,
-        costs=outcome.costs,
-        seconds=time.perf_counter() - started,
-        renders=studio.renders,
-        paths=studio.paths,
-    )
+@dataclass
+class _Run:
+    """The cases that have finished."""
+
+    effort: Effort
+    seed: int
+    renderer: Renderer
+    started: float = field(default_factory=time.perf_counter)
+    claims: list[Claim] = field(default_factory=list)
+    cases: list[CaseResult] = field(default_factory=list)
+
+    def add(self, case: Case) -> None:
+        started = time.perf_counter()
+        studio = Studio(self.seed, self.renderer)
+        outcome = case.run(studio, self.effort)
+        result = CaseResult(
+            name=case.name,
+            title=case.title,
+            lesson=case.paragraphs,
+            headline=outcome.headline,
+            checks=tuple(claim.check() for claim in outcome.claims),
+            figures=outcome.figures,
+            costs=outcome.costs,
+            seconds=time.perf_counter() - started,
+            renders=studio.renders,
+            paths=studio.paths,
+        )
+        self.claims += outcome.claims
+        self.cases.append(result)
+
+    def result(self) -> ValidationResult:
+        return ValidationResult(
+            cases=tuple(self.cases),
+            effort=self.effort.name,
+            seed=self.seed,
+            false_alarm_rate=at_least_one(FALSE_ALARM, len(self.claims)),
+            level=LEVEL,
+            environment=environment(),
+            seconds=time.perf_counter() - self.started,
+            diagnoses=diagnose(self.claims),
+        )
 
 
 def _chosen(names: Iterable[str] | None) -> list[Case]:
