@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from hashlib import blake2b
@@ -43,6 +45,8 @@ class Shot:
     strategy_images: int = 0
     aovs: tuple[str, ...] = ()
     light_paths: float | None = None
+    threads: int = field(default=0, repr=False)
+    """0: all. No part of what the shot is: it changes nothing in the picture."""
 
     def without(self, *corrections: str) -> Shot:
         """The same shot, wrong on purpose."""
@@ -77,6 +81,7 @@ def render(shot: Shot, spp: int, seed: int) -> Image:
         strategy_images=shot.strategy_images,
         aovs=shot.aovs,
         light_paths=shot.light_paths,
+        threads=shot.threads,
         adjoint=[name for name in ADJOINT if name not in shot.off],
     )
     return _stage_of(shot).render(shot.camera, **options)
@@ -94,7 +99,8 @@ class Studio:
 
     def image(self, shot: Shot, spp: int, take: int = 0) -> Image:
         """Shots that differ in the corrections alone have the same seed for the same take."""
-        return self._render(replace(shot, off=()), shot, spp, f"image {take}")
+        seed = self._seed(replace(shot, off=()), spp, f"image {take}")
+        return self._counted(self.renderer(shot, spp, seed))
 
     def first_hits(self, shot: Shot) -> Image:
         """Normal and depth of one sample a pixel, at the same points whatever the stage's values.
@@ -102,12 +108,19 @@ class Studio:
         Shots of one stage and camera that differ in what is authored have the same seed.
         """
         seen = replace(shot.by("path"), max_depth=0, aovs=("normal", "depth"))
-        return self._render(replace(seen, values={}), seen, 1, "first hits")
+        seed = self._seed(replace(seen, values={}), 1, "first hits")
+        return self._counted(self.renderer(seen, 1, seed))
 
     def images(self, shot: Shot, spp: int, count: int, name: str = "") -> Iterator[Image]:
-        """Independent renders; other names are other renders."""
-        for take in range(count):
-            yield self._render(shot, shot, spp, f"take {name} {take}")
+        """Independent renders; other names are other renders.
+
+        Several at a time, on one thread each: they are small. The pictures are the same.
+        """
+        seeds = [self._seed(shot, spp, f"take {name} {take}") for take in range(count)]
+        alone = replace(shot, threads=1)
+        with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+            for image in pool.map(lambda seed: self.renderer(alone, spp, seed), seeds):
+                yield self._counted(image)
 
     def takes(self, shot: Shot, spp: int, count: int, name: str = "") -> FloatArray:
         """(n, h, w): luminance of independent renders, which are made once."""
@@ -122,10 +135,11 @@ class Studio:
         means: FloatArray = self.takes(shot, spp, count, name).mean(axis=(1, 2))
         return means
 
-    def _render(self, seeded_by: Shot, shot: Shot, spp: int, purpose: str) -> Image:
-        key = f"{self.seed} {seeded_by!r} {spp} {purpose}".encode()
-        seed = int.from_bytes(blake2b(key, digest_size=7).digest(), "little")
-        image = self.renderer(shot, spp, seed)
+    def _seed(self, shot: Shot, spp: int, purpose: str) -> int:
+        key = f"{self.seed} {shot!r} {spp} {purpose}".encode()
+        return int.from_bytes(blake2b(key, digest_size=7).digest(), "little")
+
+    def _counted(self, image: Image) -> Image:
         self.renders += 1
         self.paths += image.statistics.camera_paths + image.statistics.light_paths
         return image
