@@ -10,9 +10,11 @@ import pytest
 from playwright.sync_api import Browser, Page, Route, sync_playwright
 
 CHROMIUM = Path("/usr/bin/chromium")
-#: No sandbox: tests may run as root in a container. The rest keeps it from calling home.
+#: No sandbox, no shared memory: tests may run as root in a container, which may have little of it.
+#: The rest keeps it from calling home.
 _ARGUMENTS = [
     "--no-sandbox",
+    "--disable-dev-shm-usage",
     "--disable-quic",
     "--no-first-run",
     "--disable-background-networking",
