@@ -7,6 +7,7 @@ from math import cos, pi, radians, sin, sqrt
 import numpy as np
 import numpy.typing as npt
 import pytest
+from scipy import integrate
 
 from etendue.validation import predictions
 
@@ -178,3 +179,47 @@ def test_floor_by_quadrature_of_radiance_in_water(degrees: float, eta: float) ->
     beam = 2 * pi * (cos(edges[0]) - cos(edges[1]))
     predicted = predictions.floor_irradiance(beam, cos(radians(degrees)), eta)
     assert floor == pytest.approx(predicted, rel=2e-4)
+
+
+@pytest.mark.parametrize("eta", [1.0, WATER, 2.42])
+@pytest.mark.parametrize("depth", [0.0, 1.0])
+def test_floor_straight_below_a_lamp(eta: float, depth: float) -> None:
+    """Its beam is narrowed by the water as if the depth were depth / eta."""
+    middle = predictions.floor_irradiance_under_lamp(32, 2.5, depth, eta, 0.0)
+    transmitted = 1 - ((eta - 1) / (eta + 1)) ** 2
+    assert float(middle) == pytest.approx(32 * transmitted / (2.5 + depth / eta) ** 2, rel=1e-6)
+
+
+def test_floor_under_a_lamp_without_water() -> None:
+    """The inverse square of the distance, the lamp's cosine and the floor's."""
+    radius = np.array([[0.0, 0.3], [1.0, 8.0]])
+    distance = np.hypot(radius, 3.5)
+    found = predictions.floor_irradiance_under_lamp(32, 2.5, 1.0, 1.0, radius)
+    np.testing.assert_allclose(found, 32 * (3.5 / distance) ** 2 / distance**2, rtol=1e-5)
+
+
+@pytest.mark.parametrize("eta", [1.1, WATER, 2.42])
+def test_floor_under_a_lamp_receives_what_enters_the_water(eta: float) -> None:
+    """Within the ring of the floor where light arrives that leaves the lamp at 60 degrees, and over
+    nearly all of it: the flux is counted on the surface, by the lamp's solid angle and its cosine,
+    and on the floor, by area."""
+    height, depth = 2.5, 1.0
+    for angle in (radians(60), radians(84)):
+        edge = height * np.tan(angle) + depth * np.tan(np.arcsin(sin(angle) / eta))
+        # Narrow rings near the middle, where most of the light is.
+        radius = edge * np.linspace(0, 1, 20_001) ** 2
+        floor = predictions.floor_irradiance_under_lamp(32, height, depth, eta, radius)
+        theta = np.linspace(0, angle, 2001)
+        entering = [1 - predictions.fresnel_reflectance(float(c), eta) for c in np.cos(theta)]
+        surface = 2 * pi * 32 * integrate.trapezoid(entering * np.cos(theta) * np.sin(theta), theta)
+        assert 2 * pi * integrate.trapezoid(floor * radius, radius) == pytest.approx(
+            surface, rel=1e-5
+        )
+
+
+def test_floor_without_prediction() -> None:
+    """Light steeper than 85 degrees is not followed, nor light that leaves the dense side."""
+    with pytest.raises(ValueError, match="85 degrees"):
+        predictions.floor_irradiance_under_lamp(32, 2.5, 1.0, WATER, [0.0, 40.0])
+    with pytest.raises(ValueError, match="no less than 1"):
+        predictions.floor_irradiance_under_lamp(32, 2.5, 1.0, 1 / WATER, 0.0)

@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from pxr import Usd
+from pxr import Tf, Usd
 
 from etendue import _core
 from etendue.usd_reader.stage import open_usd
@@ -21,7 +21,7 @@ def open_edited(
 
     `variants` are choices by "/prim{set}", `values` are attributes by "/prim.attribute"; None takes
     an attribute's value and connections away. Raises FileError for the file, SceneError naming file
-    and place for what the stage does not have.
+    and place for what the stage does not have, and for a value of another type.
     """
     stage, source = open_usd(file)
     with Usd.EditContext(stage, stage.GetSessionLayer()):
@@ -33,7 +33,7 @@ def open_edited(
 
 
 def _choose(stage: Usd.Stage, source: str, place: str, choice: str) -> None:
-    prim, name = place.removesuffix("}").split("{")
+    prim, _, name = place.removesuffix("}").partition("{")
     sets = _prim(stage, source, prim).GetVariantSets()
     if not sets.HasVariantSet(name) or choice not in sets.GetVariantSet(name).GetVariantNames():
         raise _core.SceneError(f"{source}: <{place}> has no variant '{choice}'")
@@ -41,15 +41,19 @@ def _choose(stage: Usd.Stage, source: str, place: str, choice: str) -> None:
 
 
 def _set(stage: Usd.Stage, source: str, place: str, value: object) -> None:
-    prim, name = place.split(".", maxsplit=1)
-    attribute: Any = _prim(stage, source, prim).GetAttribute(name)
+    prim, _, name = place.partition(".")
+    holder = _prim(stage, source, prim)
+    attribute: Any = holder.GetAttribute(name) if name else None
     if not attribute:
         raise _core.SceneError(f"{source}: <{place}> does not exist")
     if value is None:
         attribute.Block()
         attribute.SetConnections([])
-    else:
+        return
+    try:
         attribute.Set(value)
+    except Tf.ErrorException as error:  # of another type
+        raise _core.SceneError(f"{source}: <{place}> cannot be {value!r}") from error
 
 
 def _prim(stage: Usd.Stage, source: str, path: str) -> Usd.Prim:

@@ -51,7 +51,7 @@ class BlendEvidence:
 
     @property
     def predicted(self) -> float:
-        return float(self.blend.mean() / self.right.mean())
+        return Samples(self.blend, self.right).ratio
 
     def p_value(self, ratio: float) -> float:
         return Samples(self.wrong, self.blend).p_value(ratio / self.predicted)

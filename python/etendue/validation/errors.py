@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import isclose
 
-#: What a correction is called in plain words, and what a light path does without it.
+#: The corrections, in plain words.
 CORRECTIONS = {
     "refraction": "the refraction correction of light paths",
     "shading_normal": "the shading-normal factor of light paths",

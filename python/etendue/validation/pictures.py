@@ -43,11 +43,12 @@ def blocks_of(
 ) -> Blocks:
     """Of takes (n, h, w) each: the ratio in rows x columns blocks of the picture.
 
-    Blocks darker than `floor` times the mean say nothing and are left out.
+    Blocks darker than `floor` times the mean say nothing and are left out. Of a picture that is
+    black, or holds what is no number, all blocks stay, and confirm nothing.
     """
     top, bottom = _block_means(measured, rows, columns), _block_means(reference, rows, columns)
-    lit = bottom.mean(axis=0) > floor * bottom.mean()
-    return Blocks(tuple(Samples(top[:, i], bottom[:, i]) for i in np.flatnonzero(lit)))
+    dark = bottom.mean(axis=0) < floor * bottom.mean()
+    return Blocks(tuple(Samples(top[:, i], bottom[:, i]) for i in np.flatnonzero(~dark)))
 
 
 def _block_means(takes: FloatArray, rows: int, columns: int) -> FloatArray:

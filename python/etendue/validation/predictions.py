@@ -102,11 +102,16 @@ def floor_irradiance_under_lamp(
     `radius`, of any shape, is the distance from the floor's point below the lamp, which shines
     with the cosine of the angle from straight down. theory.md §5: what leaves the lamp within
     d theta arrives in a ring of the floor, whose radius Snell's law gives; no eta^2 comes in.
+    ValueError for points that light reaches from beyond 85 degrees, and for eta below 1.
     """
+    if eta < 1:
+        raise ValueError(f"the index under a lamp in air is no less than 1, not {eta:g}")
     theta = np.linspace(0.0, np.radians(85.0), 20_001)
     theta_t = np.arcsin(np.sin(theta) / eta)
     ring = height * np.tan(theta) + depth * np.tan(theta_t)
     transmitted = np.array([1 - fresnel_reflectance(float(cos), eta) for cos in np.cos(theta)])
+    if np.max(radius) > ring[-1]:
+        raise ValueError(f"no prediction farther out than {ring[-1]:g}, at 85 degrees")
     d_ring = np.gradient(ring, theta)
     # sin(theta) / r at the middle, where both are 0, is 1 / (dr / dtheta).
     shrink = np.divide(np.sin(theta), ring, out=1 / d_ring, where=ring > 0)

@@ -156,7 +156,8 @@ class ValidationResult:
     """Versions, machine, time."""
     seconds: float
     diagnoses: tuple[str, ...] = field(default=())
-    """The errors in the renderer that would explain all failed checks of a case, in plain words."""
+    """The errors in the renderer, in plain words, that would explain a failed check and that no
+    other check contradicts."""
 
     @property
     def passed(self) -> bool:

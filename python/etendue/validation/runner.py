@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from etendue.exceptions import SettingsError, ValidationInterrupted
+from etendue.extras import extra
 from etendue.validation.case import Case
 from etendue.validation.cases import CASES
 from etendue.validation.claims import FALSE_ALARM, Claim
@@ -40,6 +41,7 @@ def validate(
     """
     chosen = _chosen(cases)
     run = _Run(_effort(effort), seed, renderer)
+    extra("scipy.stats")  # missed before the work
     try:
         for number, case in enumerate(chosen):
             if progress:

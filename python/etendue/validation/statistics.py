@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf, sqrt
+from math import inf, nan, sqrt
 
 import numpy as np
 
@@ -31,10 +31,20 @@ class Samples:
 
     @property
     def ratio(self) -> float:
-        return float(self.measured.mean() / np.mean(self.reference))
+        """NaN where nothing was seen."""
+        return float(self.measured.mean() / np.mean(self.reference)) if self._seen else nan
+
+    @property
+    def _seen(self) -> bool:
+        """Numbers all of them, and something to divide by."""
+        numbers = np.isfinite(self.measured).all() and np.isfinite(self.reference).all()
+        return bool(numbers and np.mean(self.reference) != 0)
 
     def p_value(self, ratio: float) -> float:
-        """Two-sided, of the hypothesis that the ratio is `ratio`."""
+        """Two-sided, of the hypothesis that the ratio is `ratio`; 0 where nothing was seen: a black
+        picture confirms no prediction."""
+        if not self._seen:
+            return 0.0
         difference = self.measured - ratio * np.asarray(self.reference)
         rounding = PRECISION * abs(ratio * float(np.mean(self.reference)))
         off = max(abs(float(difference.mean())) - rounding, 0.0)
@@ -50,6 +60,8 @@ class Samples:
 
         Without end where the reference is not resolved from 0.
         """
+        if not self._seen:
+            return Estimate(nan, -inf, inf, level)
         n = self.measured.size
         t = float(extra("scipy.stats").t.ppf((1 + level) / 2, n - 1))
         reference = np.broadcast_to(np.asarray(self.reference, dtype=np.float64), (n,))
@@ -86,11 +98,6 @@ class Blocks:
 def at_least_one(probability: float, trials: int) -> float:
     """Of an event of that probability, in so many independent trials."""
     return float(-np.expm1(trials * np.log1p(-probability))) if probability < 1 else 1.0
-
-
-def share_of(probability: float, trials: int) -> float:
-    """The probability of one trial that makes `probability` that of at least one (Šidák)."""
-    return float(-np.expm1(np.log1p(-probability) / trials))
 
 
 def _standard_error(values: FloatArray) -> float:

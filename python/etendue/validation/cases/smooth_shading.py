@@ -10,11 +10,13 @@ from etendue.arrays import FloatArray
 from etendue.validation.case import Case, Outcome
 from etendue.validation.claims import BlendEvidence, Claim, is_wrong
 from etendue.validation.effort import Effort
+from etendue.validation.errors import CORRECTIONS, inverted
 from etendue.validation.pairs import same_picture
 from etendue.validation.pictures import picture_pair
 from etendue.validation.results import PicturePair
 from etendue.validation.shading_maps import predicted_ratio_map
 from etendue.validation.shots import Shot, Studio, Values
+from etendue.validation.statistics import Samples
 
 CORRECTION = "shading_normal"
 FORMULA = "Σ |ωi·Ng| |ωo·Ns| / (|ωi·Ns| |ωo·Ng|)"
@@ -87,30 +89,38 @@ def _agreement(studio: Studio, effort: Effort, subject: Subject) -> list[Claim]:
     ]
 
 
-def _errors(studio: Studio, effort: Effort, subject: Subject, predicted: FloatArray) -> list[Claim]:
+def region_claims(
+    studio: Studio, effort: Effort, subject: Subject, predicted: FloatArray
+) -> list[Claim]:
     """In what theory says is too bright, and in what it says is too dark."""
     spp = effort.spp(64)
     right = studio.takes(subject.shot, spp, effort.takes)
     wrong = studio.takes(subject.shot.without(CORRECTION), spp, effort.takes)
     regions = {"too bright": predicted > NOTICED, "too dark": predicted < 1 / NOTICED}
-    claims = []
-    for name, region in regions.items():
-        evidence = BlendEvidence(
-            wrong[:, region].mean(axis=1),
-            right[:, region].mean(axis=1),
-            (right * predicted)[:, region].mean(axis=1),
-        )
-        claims.append(
-            is_wrong(
-                f"{subject.name}, {int(region.sum())} pixels that are {name}",
-                subject.shot,
-                evidence,
-                formula=FORMULA,
-                correction=CORRECTION,
-                ratio=evidence.predicted,
-            )
-        )
-    return claims
+    return [
+        _region_claim(subject, name, wrong[:, region], right[:, region], predicted[region])
+        for name, region in regions.items()
+    ]
+
+
+def _region_claim(
+    subject: Subject, name: str, wrong: FloatArray, right: FloatArray, predicted: FloatArray
+) -> Claim:
+    """Of takes (n, pixels) of a region, and its predicted ratio (pixels)."""
+    evidence = BlendEvidence(
+        wrong.mean(axis=1), right.mean(axis=1), (right * predicted).mean(axis=1)
+    )
+    claim = is_wrong(
+        f"{subject.name}, {predicted.size} pixels that are {name}",
+        subject.shot,
+        evidence,
+        formula=FORMULA,
+        correction=CORRECTION,
+        ratio=evidence.predicted,
+    )
+    # An inverted factor makes every pixel wrong by its own ratio: no power of the mean tells.
+    turned = Samples((right / predicted).mean(axis=1), evidence.right).ratio
+    return replace(claim, under={**claim.under, inverted(CORRECTIONS[CORRECTION]): turned})
 
 
 def _pictures(studio: Studio, effort: Effort, subject: Subject) -> PicturePair:
@@ -138,7 +148,7 @@ def run(studio: Studio, effort: Effort) -> Outcome:
         predicted = predicted_ratio_map(
             studio, subject.shot, subject.without_normals, subject.lamp, 8
         )
-        claims += _errors(studio, effort, subject, np.nan_to_num(predicted, nan=1.0))
+        claims += region_claims(studio, effort, subject, np.nan_to_num(predicted, nan=1.0))
         claims += _agreement(studio, effort, subject)
         figures.append(_pictures(studio, effort, subject))
     return Outcome(
