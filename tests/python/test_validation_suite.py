@@ -29,7 +29,14 @@ from etendue.validation.results import Check, ValidationResult
 from etendue.validation.shading_maps import predicted_ratio_map
 from etendue.validation.shots import Renderer, Shot, Studio, render, stages_folder
 from etendue.validation.strategies import blended, strategy_layers
-from support.planted_errors import Repainted, dropping, honest, ignoring, inverting
+from support.planted_errors import (
+    Repainted,
+    dropping,
+    exchanging,
+    honest,
+    ignoring,
+    inverting,
+)
 
 #: The cheapest case that shows what a correction does.
 CASE_OF = {"refraction": "rough_water", "shading_normal": "facets", "phong": "phong"}
@@ -59,7 +66,14 @@ def test_honest_renderer_passes(case: str) -> None:
 
 
 @pytest.mark.parametrize("correction", CORRECTIONS)
-@pytest.mark.parametrize(("fault", "plant"), [("missing", dropping), ("inverted", inverting)])
+@pytest.mark.parametrize(
+    ("fault", "plant"),
+    [
+        ("missing", dropping),
+        ("inverted", inverting),
+        ("applied only where it is switched off", exchanging),
+    ],
+)
 def test_planted_error_is_named(
     correction: str, fault: str, plant: Callable[[str], Renderer]
 ) -> None:
@@ -73,11 +87,12 @@ def test_planted_error_is_named(
 
 @pytest.mark.parametrize("correction", CORRECTIONS)
 def test_switch_without_effect_fails(correction: str) -> None:
-    """What is right stays right; no error of the corrected renders is to be named."""
+    """What is right stays right, and no error of the corrected renders is named."""
     result = validate([CASE_OF[correction]], renderer=ignoring(correction))
     assert not result.passed
     assert {check.quantity for check in failed(result)} == {"wrong / right"}
-    assert result.diagnoses == ()
+    fault = "applied even where it is switched off"
+    assert result.diagnoses == (f"{CORRECTIONS[correction]} is {fault}",)
 
 
 def test_two_crossings_hide_all_errors_but_one() -> None:
@@ -122,8 +137,11 @@ def test_black_renderer_fails() -> None:
         }
 
 
-@pytest.mark.parametrize(("power", "fault"), [(0, None), (1, "missing"), (2, "inverted")])
-def test_error_that_varies_from_pixel_to_pixel_is_named(power: int, fault: str | None) -> None:
+@pytest.mark.parametrize(
+    ("power", "faults"),
+    [(0, []), (1, ["missing", "applied even where it is switched off"]), (2, ["inverted"])],
+)
+def test_error_that_varies_from_pixel_to_pixel_is_named(power: int, faults: list[str]) -> None:
     """Regions of many factors: what an inverted one makes of their means is not what it makes of
     one pixel."""
     random = np.random.default_rng(1)
@@ -138,7 +156,8 @@ def test_error_that_varies_from_pixel_to_pixel_is_named(power: int, fault: str |
         return Repainted(base, np.repeat(picture[..., None], 3, axis=2))
 
     named = diagnose(region_claims(Studio(1, renderer), QUICK, PLANE, factor))
-    assert named == ((f"{CORRECTIONS['shading_normal']} is {fault}",) if fault else ())
+    # Whether it never is applied, or always, no ratio of the two tells.
+    assert named == tuple(f"{CORRECTIONS['shading_normal']} is {fault}" for fault in faults)
 
 
 # ------------------------------------------------------------------------------------------ a suite

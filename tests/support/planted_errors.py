@@ -36,6 +36,17 @@ def dropping(correction: str) -> Renderer:
     return lambda shot, spp, seed: honest(_off(shot, correction), spp, seed)
 
 
+def exchanging(correction: str) -> Renderer:
+    """Applies it when it is turned off, and else does not."""
+
+    def rendered(shot: Shot, spp: int, seed: int) -> Image:
+        if correction in shot.off:
+            return ignoring(correction)(shot, spp, seed)
+        return dropping(correction)(shot, spp, seed)
+
+    return rendered
+
+
 def ignoring(correction: str) -> Renderer:
     """Always applies it: nothing happens when it is turned off."""
 

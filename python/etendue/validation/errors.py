@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isclose
 
 #: The corrections, in plain words.
 CORRECTIONS = {
@@ -33,31 +32,42 @@ def inverted(factor: str) -> Error:
     return Error(factor, "inverted")
 
 
+def stuck(factor: str) -> Error:
+    return Error(factor, "applied even where it is switched off")
+
+
+def exchanged(factor: str) -> Error:
+    return Error(factor, "applied only where it is switched off")
+
+
 def seen_by_right(correction: str, wrong_ratio: float) -> dict[Error, float]:
     """What right / truth would be, if leaving the correction out multiplies by `wrong_ratio`.
 
     Refraction's correction is to leave a factor r alone; inverted, particles are scaled by 1 / r.
     The other two multiply by 1 / r; inverted, by r instead: r^2 too much.
     """
+    name = CORRECTIONS[correction]
     turned = 1 / wrong_ratio if correction == "refraction" else wrong_ratio**2
-    return _distinct(correction, wrong_ratio, turned, 1.0)
+    return {
+        dropped(name): wrong_ratio,
+        inverted(name): turned,
+        stuck(name): 1.0,
+        exchanged(name): wrong_ratio,
+    }
 
 
 def seen_by_ratio(correction: str, wrong_ratio: float) -> dict[Error, float]:
-    """What wrong / right would be: the wrong picture stays, the right one is off."""
+    """What wrong / right would be."""
+    name = CORRECTIONS[correction]
     right = seen_by_right(correction, wrong_ratio)
-    return {error: wrong_ratio / ratio for error, ratio in right.items()}
+    return {
+        dropped(name): 1.0,
+        inverted(name): wrong_ratio / right[inverted(name)],
+        stuck(name): 1.0,
+        exchanged(name): 1 / wrong_ratio,
+    }
 
 
 def seen_by_camera(factor: float) -> dict[Error, float]:
     """What light paths / camera paths would be, if camera paths should apply `factor` once."""
     return {dropped(RADIANCE): factor, inverted(RADIANCE): factor**2}
-
-
-def _distinct(
-    correction: str, dropped_ratio: float, inverted_ratio: float, truth: float
-) -> dict[Error, float]:
-    """Without the errors that change nothing: they explain nothing."""
-    name = CORRECTIONS[correction]
-    seen = {dropped(name): dropped_ratio, inverted(name): inverted_ratio}
-    return {error: ratio for error, ratio in seen.items() if not isclose(ratio, truth)}
