@@ -17,6 +17,9 @@ from etendue.validation.shots import Shot, Studio
 
 _NAME = re.compile(r"st\.(weighted|unweighted)\.s(\d+)t(\d+)")
 
+#: The formula of a picture whose strategies are off by their own factors f(s, t).
+BLEND = "Σ f(s,t) w C / Σ w C"
+
 Shares = Mapping[Strategy, FloatArray]
 
 
@@ -65,7 +68,7 @@ def blend_claim(pair: Pair, takes: Sequence[Shares], factor: Callable[[int, int]
         name=f"{pair.name}, wrong",
         quantity="wrong / right",
         shot=pair.shot.without(pair.correction),
-        formula="Σ f(s,t) w C / Σ w C",
+        formula=BLEND,
         predicted=evidence.predicted,
         evidence=evidence,
     )

@@ -5,17 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from etendue.validation.case import Case, Outcome
-from etendue.validation.cases.crossings import REFRACTION
+from etendue.validation.cases.crossings import INTO_WATER, REFRACTION
 from etendue.validation.claims import Claim
 from etendue.validation.effort import Effort
 from etendue.validation.pairs import measure, same_picture, wrong_all_over
 from etendue.validation.pictures import picture_pair
-from etendue.validation.predictions import crossing_ratio
 from etendue.validation.shots import Shot, Studio
 from etendue.validation.strategies import blend_claim, shares_of
 
-WATER = 1.333
-RATIO = crossing_ratio(1, WATER)
 BLOCKS = (3, 4)
 #: Metres: large enough for a path from the camera to find the lamp through two crossings.
 LARGE_LAMP = {"/Lights/Lamp.inputs:radius": 1.0}
@@ -42,7 +39,7 @@ def _underwater(studio: Studio, effort: Effort) -> list[Claim]:
     lit_widely = replace(bdpt, values=LARGE_LAMP)
     return [
         wrong_all_over(
-            studio, UNDERWATER, REFRACTION, spp, effort.takes, BLOCKS, "light", "η²", RATIO
+            studio, UNDERWATER, REFRACTION, spp, effort.takes, BLOCKS, "light", "η²", INTO_WATER
         ),
         same_picture(
             studio, UNDERWATER, bdpt, (spp, effort.spp(32)), effort.takes, BLOCKS, "under water"
@@ -66,7 +63,7 @@ def _direct_light(studio: Studio, effort: Effort) -> Claim:
     spp = effort.spp(16)
     pair = measure(studio, shot, REFRACTION, spp, effort.takes, "bdpt, direct light")
     shares = shares_of(studio, shot, spp, effort.takes)
-    return blend_claim(pair, shares, lambda s, _t: RATIO if s >= 2 else 1.0)
+    return blend_claim(pair, shares, lambda s, _t: INTO_WATER if s >= 2 else 1.0)
 
 
 def run(studio: Studio, effort: Effort) -> Outcome:

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from math import cos, pi, radians
 
-from etendue.validation.predictions import floor_irradiance
+from etendue.validation.predictions import crossing_ratio, floor_irradiance
 from etendue.validation.shots import Shot
 
 REFRACTION = "refraction"
+WATER = 1.333
+#: What particles scaled like radiance are multiplied by when they enter water.
+INTO_WATER = crossing_ratio(1, WATER)
 ETAS = (1.1, 1.333, 1.5, 2.42)
 #: The stage's variants, as people read them.
 CROSSINGS = {"enter": "entering", "leave": "leaving", "slab": "slab"}
+#: Of those with one crossing, wrong / right.
+FORMULAS = {"enter": "η²", "leave": "η⁻²"}
 
 _ILLUMINANCE = 3.0
 _REFLECTANCE = 0.5

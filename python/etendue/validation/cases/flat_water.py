@@ -7,7 +7,16 @@ from math import cos, pi, radians
 import numpy as np
 
 from etendue.validation.case import Case, Outcome
-from etendue.validation.cases.crossings import CROSSINGS, ETAS, REFRACTION, crossing_shot, plate
+from etendue.validation.cases.crossings import (
+    CROSSINGS,
+    ETAS,
+    FORMULAS,
+    INTO_WATER,
+    REFRACTION,
+    WATER,
+    crossing_shot,
+    plate,
+)
 from etendue.validation.claims import Claim
 from etendue.validation.effort import Effort
 from etendue.validation.pairs import Pair, measure
@@ -22,7 +31,6 @@ from etendue.validation.results import Plot, Series
 from etendue.validation.shots import Shot, Studio
 from etendue.validation.strategies import blend_claim, shares_of
 
-WATER = 1.333
 REFLECTANCE = 0.5
 #: Of the pool's lights: illuminance and zenith angle of the suns; intensity of the lamp.
 SUNS = {"sun": (3.0, 0.0), "oblique_sun": (3.4, 30.0)}
@@ -31,7 +39,6 @@ LAMP_HEIGHT, DEPTH = 2.5, 1.0
 #: What the meter sees of the floor, metres; its camera is half a metre above it.
 METER = (0.8, 0.6)
 ANGLE = 20.0
-FORMULAS = {"enter": "η²", "leave": "η⁻²"}
 SPP = {"light": 256, "bdpt": 64}
 
 _METER_VALUES = {
@@ -68,14 +75,13 @@ def _pool_radiance(light: str) -> float:
 
 def _pool_claims(studio: Studio, effort: Effort) -> list[Claim]:
     claims = []
-    ratio = crossing_ratio(1, WATER)
     for light in (*SUNS, "lamp"):
         for integrator in ("light", "bdpt"):
             shot = _pool_shot(light, integrator)
             name = f"pool, {light.replace('_', ' ')}, {integrator}"
             spp = effort.spp(SPP[integrator])
             pair = measure(studio, shot, REFRACTION, spp, effort.takes, name)
-            found = pair.claims(_pool_radiance(light), "closed form", "η²", ratio)
+            found = pair.claims(_pool_radiance(light), "closed form", "η²", INTO_WATER)
             if integrator == "bdpt":
                 found[1] = _blend(studio, effort, pair, spp)
             claims += found
@@ -84,9 +90,8 @@ def _pool_claims(studio: Studio, effort: Effort) -> list[Claim]:
 
 def _blend(studio: Studio, effort: Effort, pair: Pair, spp: int) -> Claim:
     """Camera paths find a lamp of finite size now and then, and are right."""
-    ratio = crossing_ratio(1, WATER)
     shares = shares_of(studio, pair.shot, spp, effort.takes)
-    return blend_claim(pair, shares, lambda s, _t: ratio if s >= 2 else 1.0)
+    return blend_claim(pair, shares, lambda s, _t: INTO_WATER if s >= 2 else 1.0)
 
 
 def _sweep(studio: Studio, effort: Effort, crossing: str) -> tuple[list[Claim], Series]:

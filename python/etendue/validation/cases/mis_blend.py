@@ -11,24 +11,20 @@ from etendue.arrays import FloatArray
 from etendue.image import Image
 from etendue.luminance import luminance
 from etendue.validation.case import Case, Outcome
-from etendue.validation.cases.crossings import REFRACTION
+from etendue.validation.cases.crossings import INTO_WATER, REFRACTION
 from etendue.validation.claims import BlendEvidence, BlockEvidence, Claim, is_wrong
 from etendue.validation.effort import Effort
 from etendue.validation.pairs import same_picture
 from etendue.validation.pictures import blocks_of, ratio_map
-from etendue.validation.predictions import crossing_ratio
 from etendue.validation.results import PicturePair, Pyramid, Strategy
 from etendue.validation.shots import Shot, Studio
 from etendue.validation.statistics import Samples
-from etendue.validation.strategies import strategy_layers
+from etendue.validation.strategies import BLEND, strategy_layers
 
-WATER = 1.333
-RATIO = crossing_ratio(1, WATER)
 BLOCKS = (3, 4)
 EDGES = 3  # lamp, water, floor, eye
 #: Of the longest paths in the pyramid.
 PYRAMID_EDGES = 5
-FORMULA = "Σ f(s,t) w C / Σ w C"
 #: The strategies of that path that are looked at without weights.
 ALONE: tuple[Strategy, ...] = ((1, 3), (2, 2), (3, 1))
 
@@ -49,7 +45,7 @@ POOL = Shot(
 
 def factor(s: int, _t: int) -> float:
     """What wrong code makes of strategy (s, t): from two vertices on, light paths have crossed."""
-    return RATIO if s >= 2 else 1.0
+    return INTO_WATER if s >= 2 else 1.0
 
 
 def _blend(image: Image) -> FloatArray:
@@ -107,7 +103,7 @@ def _mixed(rights: Sequence[Image], wrongs: Sequence[Image]) -> list[Claim]:
             "all strategies, weighted, wrong",
             "wrong / right",
             shot,
-            FORMULA,
+            BLEND,
             whole.predicted,
             whole,
         ),
@@ -178,7 +174,7 @@ def _pyramid(studio: Studio, effort: Effort) -> Pyramid:
 
 def run(studio: Studio, effort: Effort) -> Outcome:
     claims = _claims(studio, effort)
-    whole = next(claim for claim in claims if claim.formula == FORMULA)
+    whole = next(claim for claim in claims if claim.formula == BLEND)
     return Outcome(
         headline=f"bdpt through rough water: {whole.predicted:.2f} ×, between 1 and η², as the "
         "weights have it",

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from etendue.arrays import FloatArray
 from etendue.validation.case import Case, Outcome
-from etendue.validation.cases.crossings import CROSSINGS, REFRACTION, crossing_shot
+from etendue.validation.cases.crossings import CROSSINGS, FORMULAS, REFRACTION, WATER, crossing_shot
 from etendue.validation.claims import Claim
 from etendue.validation.effort import Effort
 from etendue.validation.errors import seen_by_camera
@@ -17,12 +17,10 @@ from etendue.validation.results import Plot, Series
 from etendue.validation.shots import Studio
 from etendue.validation.strategies import blend_claim, shares_of
 
-ETA = 1.333
 ANGLE = 20.0
 #: Degrees across: path tracing then finds it through a nearly smooth surface, too.
 SUN = 20.0
 QUICK, FULL = (0.1, 0.3, 0.6), (0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.8)
-FORMULAS = {"enter": "η²", "leave": "η⁻²"}
 
 
 def _or_the_camera(claims: list[Claim], ratio: float) -> list[Claim]:
@@ -48,7 +46,7 @@ def _by_bdpt(
     shot = crossing_shot(
         crossing,
         "bdpt",
-        eta=ETA,
+        eta=WATER,
         angle=ANGLE,
         roughness=roughness,
         sun_size=SUN,
@@ -68,12 +66,12 @@ def run(studio: Studio, effort: Effort) -> Outcome:
     measured, curves = [], []
     roughnesses = effort.pick(QUICK, FULL)
     for crossing, formula in FORMULAS.items():
-        ratio = crossing_ratio(1, ETA) if crossing == "enter" else crossing_ratio(ETA, 1)
+        ratio = crossing_ratio(1, WATER) if crossing == "enter" else crossing_ratio(WATER, 1)
         label = f"{CROSSINGS[crossing]}: {formula}"
         points = []
         for roughness in roughnesses:
             shot = crossing_shot(
-                crossing, "light", eta=ETA, angle=ANGLE, roughness=roughness, sun_size=SUN
+                crossing, "light", eta=WATER, angle=ANGLE, roughness=roughness, sun_size=SUN
             )
             name = f"{CROSSINGS[crossing]}, roughness {roughness:g}"
             path = studio.means(shot.by("path"), effort.spp(512), effort.takes)
