@@ -138,8 +138,8 @@ def run(studio: Studio, effort: Effort) -> Outcome:
         points.append(measured)
     plot = Plot(
         title="Brightness error of light tracing across one interface",
-        caption="Particles scaled like radiance. Lines: theory.md §5; points: measured, with "
-        "intervals that are mostly smaller than the points.",
+        caption="Particles scaled like radiance (Veach 1997, 5.2). Most intervals are smaller than "
+        "the points.",
         x_label="index of refraction η",
         y_label="wrong / right",
         predicted=tuple(_curve(crossing) for crossing in FORMULAS),

@@ -191,7 +191,7 @@ Bidirectional path tracing finds the same path in several ways, and weights them
 one counts. With the correction missing, strategies whose light subpath has crossed the surface are
 η² wrong and the others are right. The weights do not know; the picture becomes their mean,
 wrong by an amount that changes from pixel to pixel, with the size of the lamp, the roughness, and
-the number of samples. That is why such errors are taken for noise, or for a matter of taste.
+the number of light paths. That is why such errors are taken for noise, or for a matter of taste.
 
 The weights of one right render predict that picture.
 """,
