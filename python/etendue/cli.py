@@ -43,8 +43,8 @@ FrameOption = Annotated[
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """The console script. Ends the process with 0, 1 (error), 2 (usage), 3 (pictures differ) or
-    130 (interrupted)."""
+    """The console script. Ends the process with 0, 1 (error), 2 (usage), 3 (pictures
+    differ, a prediction fails) or 130 (interrupted)."""
     sys.exit(run(sys.argv[1:] if arguments is None else arguments))
 
 
@@ -266,7 +266,7 @@ def compare(
     if html is not None:
         write_page(found, html)
     if as_json:
-        print(json.dumps(found.to_dict(), indent=2, ensure_ascii=False, allow_nan=False))
+        print(json.dumps(found.to_dict(), indent=2, allow_nan=False))
     else:
         console = Console(highlight=False)
         console.print(comparison_table(found))

@@ -15,9 +15,10 @@ import jsonschema
 import pytest
 
 from etendue import cli
+from etendue.image import Image
 from etendue.validation import ValidationResult, command, validate
 from etendue.validation.report.json_file import SCHEMA
-from etendue.validation.shots import Renderer
+from etendue.validation.shots import Renderer, Shot
 from support.planted_errors import dropping, honest
 from support.validation_results import result
 
@@ -59,7 +60,7 @@ def test_predictions_hold(
     captured = capsys.readouterr()
     assert captured.err.splitlines() == [f"validating 1/1: {CASE}", f"wrote {out / 'index.html'}"]
     assert "All 20 predictions hold" in captured.out
-    assert "20 of 20 predictions hold, " in captured.out
+    assert captured.out.splitlines()[-1].startswith("All 20 predictions hold, ")
     assert "failed" not in captured.out
     _check_files(out)
 
@@ -91,7 +92,7 @@ def test_a_prediction_fails(
     assert f"), predicted 1; {error}" in first
     assert len(others) == 9
     assert f"this explains it: {error}" in lines
-    assert lines[-1].startswith("10 of 20 predictions hold, ")
+    assert lines[-1].startswith("10 of 20 predictions do not hold, ")
     document = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
     assert (document["passed"], document["diagnoses"]) == (False, [error])
 
@@ -113,6 +114,61 @@ def test_refuses_an_output_before_it_renders(
     (line,) = capsys.readouterr().err.splitlines()
     assert line == f"etendue: error: {file / 'report'}: Not a directory"
     assert asked.arguments == {}
+
+
+def test_refuses_a_file_that_cannot_be_written_before_it_renders(
+    asked: Asked, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "results.csv").mkdir()
+    assert cli.run(["validate", "--out", str(tmp_path)]) == 1
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith(f"etendue: error: cannot write '{tmp_path / 'results.csv'}': ")
+    assert asked.arguments == {}
+
+
+def test_missing_package_of_the_page_is_told_before_it_renders(
+    asked: Asked,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "jinja2", None)
+    assert cli.run(["validate", "--out", str(tmp_path)]) == 1
+    assert "jinja2" in capsys.readouterr().err
+    assert asked.arguments == {}
+
+
+def test_interrupted(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Facets finish; Ctrl-C comes in the case after them."""
+
+    def renderer(shot: Shot, spp: int, seed: int) -> Image:
+        if shot.stage == "phong.usda":
+            raise KeyboardInterrupt
+        return honest(shot, spp, seed)
+
+    render_with(monkeypatch, renderer)
+    arguments = ["validate", "--case", "facets", "--case", "phong", "--case", "cost"]
+    assert cli.run([*arguments, "--out", str(tmp_path)]) == 130
+    told = "All 28 predictions hold; interrupted, 2 cases not run"
+    assert capsys.readouterr().out.splitlines()[-1].startswith(f"{told}, ")
+    document = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
+    assert [case["name"] for case in document["cases"]] == ["facets"]
+    assert document["not_run"] == ["phong", "cost"]
+    assert told in (tmp_path / "index.html").read_text(encoding="utf-8")
+
+
+def test_interrupted_before_anything_was_found(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def renderer(*_: object) -> Image:
+        raise KeyboardInterrupt
+
+    render_with(monkeypatch, renderer)
+    assert cli.run(["validate", "--case", CASE, "--out", str(tmp_path)]) == 130
+    assert capsys.readouterr().out == ""
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_by_default_all_cases_run_quickly(asked: Asked) -> None:

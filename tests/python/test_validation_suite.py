@@ -85,6 +85,16 @@ def test_planted_error_is_named(
     assert any(not check.corrections_off for check in failed(result))
 
 
+def test_planted_error_is_named_beside_a_case_that_hides_it() -> None:
+    """Two crossings hide all of it but one strategy's share, which is no power of the factor."""
+    result = validate(["rough_water", "two_crossings"], renderer=dropping("refraction"))
+    block = next(
+        check for check in failed(result) if check.name == "thick rough block, bdpt, right"
+    )
+    assert block.measured.value == pytest.approx(1.19, abs=0.05)
+    assert result.diagnoses == (f"{CORRECTIONS['refraction']} is missing",)
+
+
 @pytest.mark.parametrize("correction", CORRECTIONS)
 def test_switch_without_effect_fails(correction: str) -> None:
     """What is right stays right, and no error of the corrected renders is named."""

@@ -57,9 +57,10 @@ def _parts(name: str) -> list[Any]:
         raise FileError(f"{name}: {(error.strerror or str(error)).lower()}") from error
     if magic != _MAGIC:
         raise FileError(f"{name}: not an OpenEXR file")
+    library = extra("OpenEXR")
     try:
         with _silent():
-            parts = list(extra("OpenEXR").File(name, separate_channels=True).parts)
+            parts = list(library.File(name, separate_channels=True).parts)
     except (RuntimeError, ValueError, TypeError) as error:
         raise FileError(f"{name}: cannot be read: {error}") from error
     # The library only warns of pixels that it cannot read, and leaves the part out.

@@ -38,7 +38,9 @@ def picture_url(color: Pixels, exposure: float) -> str:
     display = _core.ColorConfig().apply((color * exposure).astype(np.float32))
     image = extra("PIL.Image")
     bytes_ = np.round(np.clip(display, 0, 1) * 255).astype(np.uint8)
-    return png_url(image.fromarray(bytes_).quantize(256, dither=image.Dither.FLOYDSTEINBERG))
+    full = image.fromarray(bytes_)
+    # Dithers only towards a palette that is given.
+    return png_url(full.quantize(palette=full.quantize(256), dither=image.Dither.FLOYDSTEINBERG))
 
 
 def png_url(image: Any) -> str:

@@ -16,7 +16,8 @@ from etendue.exceptions import ValidationInterrupted
 from etendue.exit_status import DIFFERENT, INTERRUPTED
 from etendue.progress import duration
 from etendue.validation.report import summary_table, write_report
-from etendue.validation.report.files import make_directory
+from etendue.validation.report.files import check_report
+from etendue.validation.report.verdicts import verdict
 from etendue.validation.results import Check, ValidationResult
 from etendue.validation.runner import Progress as Report
 from etendue.validation.runner import case_names, validate
@@ -39,11 +40,11 @@ def validate_command(
 ) -> int:
     """Show what goes wrong without the adjoint corrections: predicted, and measured.
 
-    Ctrl-C tells of, and writes, the cases that have finished.
+    Ctrl-C tells of, and writes, the cases that have finished. Ends with 3 when a prediction fails.
     """
     if out is not None:
-        make_directory(out)  # refused before the work
-    status = 0
+        check_report(out)
+    status = None
     with _progress() as progress:
         try:
             result = validate(
@@ -57,7 +58,9 @@ def validate_command(
         console.print(line, markup=False, soft_wrap=True)
     if out is not None:
         print(f"wrote {write_report(result, out)}", file=sys.stderr)
-    return status if result.passed else DIFFERENT
+    if status is not None:
+        return status
+    return 0 if result.passed else DIFFERENT
 
 
 def _told(result: ValidationResult) -> Iterator[str]:
@@ -68,8 +71,7 @@ def _told(result: ValidationResult) -> Iterator[str]:
                 yield f"failed: {case.name}: {_failure(check)}"
     for error in result.diagnoses:
         yield f"this explains it: {error}"
-    held = sum(check.passed for check in result.checks)
-    yield f"{held} of {len(result.checks)} predictions hold, {duration(result.seconds)}"
+    yield f"{verdict(result)}, {duration(result.seconds)}"
 
 
 def _failure(check: Check) -> str:

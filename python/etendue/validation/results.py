@@ -155,6 +155,8 @@ class ValidationResult:
     environment: Mapping[str, str]
     """Versions, machine, time."""
     seconds: float
+    not_run: tuple[str, ...] = ()
+    """Cases that were asked for, before Ctrl-C."""
     diagnoses: tuple[str, ...] = field(default=())
     """The errors in the renderer, in plain words, that would explain a failed check and that no
     other check contradicts."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from etendue.exceptions import SettingsError, ValidationInterrupted
 from etendue.extras import extra
@@ -50,7 +50,8 @@ def validate(
     except KeyboardInterrupt:
         if not run.cases:
             raise
-        raise ValidationInterrupted(run.result()) from None
+        left = tuple(case.name for case in chosen[len(run.cases) :])
+        raise ValidationInterrupted(replace(run.result(), not_run=left)) from None
     return run.result()
 
 

@@ -100,7 +100,7 @@ per real area, so it needs the factor |ωi·Ns| |ωo·Ng| / (|ωi·Ng| |ωo·Ns|
 brightness depends on where it is seen from, though it is matte, and is wrong by a number that two
 angles tell.
 
-Issues 13, 385 and 526 of the pbrt-v4 renderer are live cases: its light paths lost the factor that
+Issues 13, 385 and 526 of the pbrt-v4 renderer are cases of it: its light paths lost the factor that
 pbrt-v3 had.
 """,
     run=run,

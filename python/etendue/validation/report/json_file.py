@@ -41,6 +41,7 @@ def _document(result: ValidationResult) -> dict[str, Any]:
         "level": float(result.level),
         "seconds": float(result.seconds),
         "environment": dict(result.environment),
+        "not_run": list(result.not_run),
         "diagnoses": list(result.diagnoses),
         "cases": [_case(case) for case in result.cases],
     }

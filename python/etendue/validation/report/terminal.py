@@ -16,7 +16,7 @@ def summary_table(result: ValidationResult) -> Table:
     table.add_column("case", style="bold", no_wrap=True)
     table.add_column("checks", justify="right", no_wrap=True)
     table.add_column("worst p", justify="right", no_wrap=True)
-    table.add_column("finding", overflow="fold")
+    table.add_column("prediction", overflow="fold")
     table.add_column("verdict", no_wrap=True)
     for case in result.cases:
         table.add_row(

@@ -11,6 +11,12 @@ from etendue.validation.results import CaseResult, Check, ValidationResult
 
 def verdict(result: ValidationResult) -> str:
     """As in "All 42 predictions hold", "2 of 42 predictions do not hold"."""
+    told = _told(result)
+    left = len(result.not_run)
+    return f"{told}; interrupted, {counted(left, 'case')} not run" if left else told
+
+
+def _told(result: ValidationResult) -> str:
     total = len(result.checks)
     if total == 0:
         return "Nothing was predicted"
