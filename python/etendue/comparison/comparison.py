@@ -20,6 +20,7 @@ from etendue.comparison.region import brightest_region
 from etendue.comparison.sentence import sentence
 from etendue.comparison.tiles import tile_numbers, tile_sums
 from etendue.comparison.to_dict import to_dict
+from etendue.luminance import quotient
 
 File = str | os.PathLike[str]
 
@@ -121,7 +122,7 @@ def compare(
         b_from_a=distance(second.color, first.color, flip),
         a_from_reference=None if target is None else distance(first.color, target.color, flip),
         b_from_reference=None if target is None else distance(second.color, target.color, flip),
-        ratio_map=_ratio_map(first, second),
+        ratio_map=quotient(second.luminance, first.luminance),
         z_scores=_z_scores(first, second),
         indices=checked,
     )
@@ -154,13 +155,6 @@ def _from_tiles(a: Picture, b: Picture, region: BoolArray) -> Ratio:
     _, numbers = np.unique(tile_numbers(*region.shape)[region], return_inverse=True)
     in_a, in_b = a.luminance[region], b.luminance[region]
     return ratio_from_tiles(tile_sums(in_a, numbers), tile_sums(in_b, numbers), in_a.size)
-
-
-def _ratio_map(a: Picture, b: Picture) -> FloatArray:
-    lit = a.luminance > 0
-    ratios: FloatArray = np.full(lit.shape, np.nan)
-    np.divide(b.luminance, a.luminance, out=ratios, where=lit)
-    return ratios
 
 
 def _z_scores(a: Picture, b: Picture) -> Pixels | None:

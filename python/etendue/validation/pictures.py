@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from etendue.arrays import FloatArray
-from etendue.luminance import luminance
+from etendue.luminance import luminance, quotient
 from etendue.validation.results import PicturePair
 from etendue.validation.shots import Shot, Studio
 from etendue.validation.statistics import Blocks, Samples
@@ -32,10 +32,7 @@ def picture_pair(
 
 def ratio_map(right: FloatArray, wrong: FloatArray) -> FloatArray:
     """(h, w): luminance of wrong over right; NaN where right is black."""
-    below = luminance(right)
-    ratio: FloatArray = np.full(below.shape, np.nan)
-    np.divide(luminance(wrong), below, out=ratio, where=below > 0)
-    return ratio
+    return quotient(luminance(wrong), luminance(right))
 
 
 def blocks_of(

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from etendue.arrays import FloatArray
+from etendue.luminance import quotient
 from etendue.validation.shots import Shot, Studio, Values, camera_of
 
 
@@ -38,9 +39,7 @@ def predicted_ratio_map(
     right = np.where(lit, light_s / distance**2, 0.0)
     factor = np.divide(light_g * eye_s, light_s * eye_g, out=np.zeros_like(right), where=lit)
     below, above = _pixels(right, subpixels), _pixels(right * factor, subpixels)
-    ratio: FloatArray = np.full(below.shape, np.nan)
-    np.divide(above, below, out=ratio, where=below > 0)
-    return ratio
+    return quotient(above, below)
 
 
 def _seen(studio: Studio, shot: Shot) -> tuple[FloatArray, FloatArray]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from etendue.arrays import FloatArray
 from etendue.image import Image
-from etendue.luminance import luminance
+from etendue.luminance import luminance, quotient
 from etendue.validation.case import Case, Outcome
 from etendue.validation.cases.crossings import INTO_WATER, REFRACTION
 from etendue.validation.claims import BlendEvidence, BlockEvidence, Claim, is_wrong
@@ -123,9 +123,6 @@ def _pair(studio: Studio, effort: Effort) -> PicturePair:
     spp = effort.picture_spp(128)
     right, wrong = (studio.image(each, spp) for each in (shot, shot.without(REFRACTION)))
     colors = [np.asarray(image.color, dtype=np.float64) for image in (right, wrong)]
-    lit = luminance(colors[0])
-    predicted: FloatArray = np.full(lit.shape, np.nan)
-    np.divide(_blend(right), lit, out=predicted, where=lit > 0)
     return PicturePair(
         title="The blend",
         caption="Rough water, a large lamp, direct light. How wrong a pixel is depends on which "
@@ -133,7 +130,7 @@ def _pair(studio: Studio, effort: Effort) -> PicturePair:
         right=colors[0],
         wrong=colors[1],
         ratio=ratio_map(*colors),
-        predicted_ratio=predicted,
+        predicted_ratio=quotient(_blend(right), luminance(colors[0])),
     )
 
 
