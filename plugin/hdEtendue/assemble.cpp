@@ -1,0 +1,106 @@
+#include "assemble.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "convert.h"
+#include "materials.h"
+#include "translation.h"
+
+namespace etendue::hydra {
+namespace {
+
+/// One set of texture coordinates for the whole shape: the first that its materials name and the mesh has.
+std::string chosen_st(const std::vector<BoundMaterial>& materials, const Geometry& geometry, const std::string& path,
+                      Warnings& warnings) {
+    std::set<std::string> names;
+    std::string chosen;
+    for (const BoundMaterial& material : materials) {
+        if (!geometry.coordinates.contains(material.st) || !names.insert(material.st).second) continue;
+        if (chosen.empty()) chosen = material.st;
+    }
+    if (names.size() > 1) {
+        warnings.warn("several texture coordinates on a mesh", SdfPath(path),
+                      "its materials read several texture coordinates; '" + chosen + "' is used for all");
+    }
+    return chosen;
+}
+
+class Assembler {
+public:
+    Assembler(SceneDescription& scene, const SceneStore::Contents& contents, Warnings& warnings)
+        : scene_(scene), warnings_(warnings), materials_({scene, warnings}, contents.materials) {}
+
+    void add(const SdfPath& path, const ShapeRecord& record) {
+        ShapeDesc shape = describe(path, record);
+        if (!record.instanced) {
+            scene_.shapes.push_back(std::move(shape));
+            return;
+        }
+        const int group = static_cast<int>(scene_.groups.size());
+        scene_.groups.push_back({shape.name, {shape}});
+        for (const GfMatrix4d& transform : record.instances.AsConst()) {
+            scene_.instances.push_back({shape.name, group, column_matrix(transform)});
+        }
+    }
+
+private:
+    ShapeDesc describe(const SdfPath& path, const ShapeRecord& record) {
+        const std::vector<BoundMaterial> bound = bind(record);
+        ShapeDesc shape;
+        shape.name = path.GetString();
+        shape.parent_from_object = column_matrix(record.transform);
+        for (const BoundMaterial& material : bound) shape.materials.push_back(material.index);
+        GeometryDesc geometry = record.geometry->desc;
+        if (auto* const mesh = std::get_if<MeshDesc>(&geometry)) {
+            const auto& known = record.geometry->coordinates;
+            const auto st = known.find(chosen_st(bound, *record.geometry, shape.name, warnings_));
+            if (st != known.end()) {
+                mesh->st = st->second.values;
+                mesh->st_interpolation = st->second.interpolation;
+            }
+        }
+        shape.geometry = static_cast<int>(scene_.geometries.size());
+        scene_.geometries.push_back(std::move(geometry));
+        return shape;
+    }
+
+    std::vector<BoundMaterial> bind(const ShapeRecord& record) {
+        std::vector<BoundMaterial> bound{materials_.bound(record.material, record)};
+        const auto& subsets = record.geometry->subset_materials;
+        for (std::size_t i = 1; i < subsets.size(); ++i) bound.push_back(materials_.bound(subsets[i], record));
+        return bound;
+    }
+
+    SceneDescription& scene_;
+    Warnings& warnings_;
+    MaterialTranslator materials_;
+};
+
+}  // namespace
+
+bool Selection::includes(const SdfPath& path, const TfToken& render_tag) const {
+    const auto below = [&path](const SdfPath& root) { return path.HasPrefix(root); };
+    if (!render_tags.empty() && std::find(render_tags.begin(), render_tags.end(), render_tag) == render_tags.end()) {
+        return false;
+    }
+    return std::any_of(roots.begin(), roots.end(), below) && std::none_of(excluded.begin(), excluded.end(), below);
+}
+
+SceneDescription assemble(const SceneStore::Contents& contents, const Selection& selection, Warnings& warnings) {
+    SceneDescription scene;
+    Assembler assembler(scene, contents, warnings);
+    for (const auto& [path, record] : contents.shapes) {
+        if (record.visible && record.geometry && selection.includes(path, record.render_tag)) {
+            assembler.add(path, record);
+        }
+    }
+    for (const auto& [path, record] : contents.lights) {
+        if (record.visible) scene.lights.push_back(record.desc);
+    }
+    return scene;
+}
+
+}  // namespace etendue::hydra

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <pxr/imaging/hd/rprimCollection.h>
+
+#include <etendue/scene_description.h>
+
+#include "scene_store.h"
+#include "warnings.h"
+
+namespace etendue::hydra {
+
+/// Which shapes a render pass shows.
+struct Selection {
+    TfTokenVector render_tags;  ///< empty: all
+    SdfPathVector roots;
+    SdfPathVector excluded;
+
+    [[nodiscard]] bool includes(const SdfPath& path, const TfToken& render_tag) const;
+    [[nodiscard]] bool operator==(const Selection&) const = default;
+};
+
+/// The scene without a camera, in the order of paths, so that equal contents give equal scenes.
+[[nodiscard]] SceneDescription assemble(const SceneStore::Contents& contents, const Selection& selection,
+                                        Warnings& warnings);
+
+}  // namespace etendue::hydra

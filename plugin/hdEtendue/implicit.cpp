@@ -1,0 +1,101 @@
+#include "implicit.h"
+
+#include <map>
+#include <memory>
+
+#include <pxr/imaging/hd/changeTracker.h>
+#include <pxr/imaging/hd/sceneDelegate.h>
+#include <pxr/imaging/hd/tokens.h>
+
+#include "convert.h"
+#include "render_param.h"
+#include "shape_sync.h"
+
+namespace etendue::hydra {
+namespace {
+
+/// The attributes of one implicit surface.
+class Attributes {
+public:
+    Attributes(HdSceneDelegate& delegate, Warnings& warnings, const SdfPath& path)
+        : delegate_(delegate), warnings_(warnings), path_(path) {}
+
+    [[nodiscard]] double number(const char* name, double fallback) const {
+        return number_or(delegate_.Get(path_, TfToken(name)), fallback);
+    }
+
+    [[nodiscard]] Axis axis() const {
+        const std::string axis = text(delegate_.Get(path_, TfToken("axis")));
+        if (axis == "X") return Axis::X;
+        return axis == "Y" ? Axis::Y : Axis::Z;
+    }
+
+    /// The radius, or the mean of the two of a _1 schema when they differ.
+    [[nodiscard]] double radius(double fallback) const {
+        const double both = number("radius", fallback);
+        const double top = number("radiusTop", both);
+        const double bottom = number("radiusBottom", both);
+        if (top != bottom) {
+            warnings_.warn("tapered solid", path_, "a solid with two radii is not supported; their mean is used");
+        }
+        return (top + bottom) / 2;
+    }
+
+private:
+    HdSceneDelegate& delegate_;
+    Warnings& warnings_;
+    SdfPath path_;
+};
+
+GeometryDesc read_solid(const TfToken& type, const Attributes& from) {
+    if (type == HdPrimTypeTokens->sphere) return SphereDesc{from.number("radius", SphereDesc().radius)};
+    if (type == HdPrimTypeTokens->cube) return CubeDesc{from.number("size", CubeDesc().size)};
+    if (type == HdPrimTypeTokens->plane) {
+        return PlaneDesc{from.number("width", PlaneDesc().width), from.number("length", PlaneDesc().length),
+                         from.axis()};
+    }
+    const auto upright = [&from]<class Desc>(Desc fallback) {
+        return Desc{from.radius(fallback.radius), from.number("height", fallback.height), from.axis()};
+    };
+    if (type == HdPrimTypeTokens->cylinder) return upright(CylinderDesc());
+    if (type == HdPrimTypeTokens->cone) return upright(ConeDesc());
+    return upright(CapsuleDesc());
+}
+
+}  // namespace
+
+const TfTokenVector& Implicit::types() {
+    static const TfTokenVector all{HdPrimTypeTokens->sphere,   HdPrimTypeTokens->cube,    HdPrimTypeTokens->plane,
+                                   HdPrimTypeTokens->cylinder, HdPrimTypeTokens->capsule, HdPrimTypeTokens->cone};
+    return all;
+}
+
+HdDirtyBits Implicit::GetInitialDirtyBitsMask() const {
+    return HdChangeTracker::InitRepr | HdChangeTracker::DirtyTransform | HdChangeTracker::DirtyVisibility |
+           HdChangeTracker::DirtyMaterialId | HdChangeTracker::DirtyInstancer | HdChangeTracker::DirtyInstanceIndex |
+           HdChangeTracker::DirtyRenderTag | HdChangeTracker::DirtyPrimvar;
+}
+
+const TfTokenVector& Implicit::GetBuiltinPrimvarNames() const {
+    static const TfTokenVector none;
+    return none;
+}
+
+void Implicit::Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits* bits, const TfToken& /*repr*/) {
+    RenderParam& shared = ours(param);
+    _UpdateVisibility(delegate, bits);
+    _UpdateInstancer(delegate, bits);
+    if (*bits & HdChangeTracker::DirtyPrimvar) {  // Hydra's bit for the attributes, too
+        auto geometry = std::make_shared<Geometry>();
+        geometry->desc = read_solid(type_, Attributes(*delegate, shared.warnings(), GetId()));
+        record_.geometry = std::move(geometry);
+        sync_display(shared.warnings(), GetId(), read_primvars(*delegate, GetId()), record_);
+    }
+    sync_shape(*delegate, *this, *bits, record_);
+    shared.store().set_shape(GetId(), record_);
+    *bits &= ~HdChangeTracker::AllSceneDirtyBits;
+}
+
+void Implicit::Finalize(HdRenderParam* param) { ours(param).store().remove_shape(GetId()); }
+
+}  // namespace etendue::hydra

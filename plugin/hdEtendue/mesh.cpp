@@ -1,0 +1,41 @@
+#include "mesh.h"
+
+#include <pxr/imaging/hd/changeTracker.h>
+#include <pxr/imaging/hd/sceneDelegate.h>
+
+#include "mesh_geometry.h"
+#include "render_param.h"
+#include "shape_sync.h"
+
+namespace etendue::hydra {
+namespace {
+
+constexpr HdDirtyBits kGeometryBits = HdChangeTracker::DirtyTopology | HdChangeTracker::DirtyPoints |
+                                      HdChangeTracker::DirtyNormals | HdChangeTracker::DirtyPrimvar |
+                                      HdChangeTracker::DirtySubdivTags;
+
+}  // namespace
+
+HdDirtyBits Mesh::GetInitialDirtyBitsMask() const {
+    return HdChangeTracker::InitRepr | HdChangeTracker::DirtyTransform | HdChangeTracker::DirtyVisibility |
+           HdChangeTracker::DirtyMaterialId | HdChangeTracker::DirtyInstancer | HdChangeTracker::DirtyInstanceIndex |
+           HdChangeTracker::DirtyRenderTag | kGeometryBits;
+}
+
+void Mesh::Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits* bits, const TfToken& /*repr*/) {
+    RenderParam& shared = ours(param);
+    _UpdateVisibility(delegate, bits);
+    _UpdateInstancer(delegate, bits);
+    if (*bits & kGeometryBits) {
+        const auto primvars = read_primvars(*delegate, GetId());
+        record_.geometry = read_mesh_geometry(shared.warnings(), *delegate, GetId(), primvars);
+        sync_display(shared.warnings(), GetId(), primvars, record_);
+    }
+    sync_shape(*delegate, *this, *bits, record_);
+    shared.store().set_shape(GetId(), record_);
+    *bits &= ~HdChangeTracker::AllSceneDirtyBits;
+}
+
+void Mesh::Finalize(HdRenderParam* param) { ours(param).store().remove_shape(GetId()); }
+
+}  // namespace etendue::hydra

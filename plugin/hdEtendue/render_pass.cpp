@@ -1,0 +1,91 @@
+#include "render_pass.h"
+
+#include <optional>
+#include <utility>
+
+#include <pxr/imaging/hd/renderIndex.h>
+#include <pxr/imaging/hd/renderPassState.h>
+
+#include "aovs.h"
+#include "render_buffer.h"
+#include "settings.h"
+
+namespace etendue::hydra {
+namespace {
+
+RenderBuffer* buffer_of(const HdRenderPassAovBinding& binding) {
+    return static_cast<RenderBuffer*>(binding.renderBuffer);
+}
+
+std::set<Aov> needed_aovs(const HdRenderPassAovBindingVector& bindings) {
+    std::set<Aov> needed{Aov::Color, Aov::Alpha};
+    for (const HdRenderPassAovBinding& binding : bindings) {
+        const std::vector<Aov> sources = sources_of(binding.aovName);
+        needed.insert(sources.begin(), sources.end());
+    }
+    return needed;
+}
+
+}  // namespace
+
+RenderPass::RenderPass(HdRenderIndex* index, const HdRprimCollection& collection, RenderParam& param)
+    : HdRenderPass(index, collection), param_(param) {
+    param_.renderers().add(renderer_);
+}
+
+RenderPass::~RenderPass() { param_.renderers().remove(renderer_); }
+
+void RenderPass::_Execute(const HdRenderPassStateSharedPtr& state, const TfTokenVector& render_tags) {
+    Request request = read_request(*state, render_tags);
+    if (request.view.is_empty()) return;
+    std::vector<Target> targets;
+    for (const HdRenderPassAovBinding& binding : state->GetAovBindings()) {
+        if (RenderBuffer* const buffer = buffer_of(binding)) {
+            targets.push_back({buffer, binding.aovName, buffer->allocation()});
+        }
+    }
+    if (request != request_ || targets != targets_) {
+        targets_ = std::move(targets);
+        clear(state->GetAovBindings());
+        request_ = std::move(request);
+        start(request_);
+    }
+    if (const std::optional<RenderedImage> image = renderer_.fresh_image()) show(*image);
+    converged_ = renderer_.is_finished();
+    for (const Target& target : targets_) target.buffer->set_converged(converged_);
+}
+
+RenderPass::Request RenderPass::read_request(const HdRenderPassState& state, const TfTokenVector& render_tags) const {
+    Request request;
+    request.scene_version = param_.store().version();
+    request.settings_version = param_.delegate().GetRenderSettingsVersion();
+    request.view = read_view(state);
+    request.selection = {render_tags, GetRprimCollection().GetRootPaths(), GetRprimCollection().GetExcludePaths()};
+    request.aovs = needed_aovs(state.GetAovBindings());
+    return request;
+}
+
+void RenderPass::start(const Request& request) {
+    renderer_.stop();  // before the new scene is built: two would be in memory at once
+    SceneDescription scene = assemble(param_.store().contents(), request.selection, param_.warnings());
+    scene.cameras.push_back(request.view.camera);
+    RenderSettings settings = render_settings(param_.delegate());
+    settings.width = request.view.width;
+    settings.height = request.view.height;
+    settings.crop = request.view.window;
+    settings.conform = request.view.conform;
+    settings.aovs.assign(request.aovs.begin(), request.aovs.end());
+    renderer_.start(scene, settings);
+}
+
+void RenderPass::clear(const HdRenderPassAovBindingVector& bindings) const {
+    for (const HdRenderPassAovBinding& binding : bindings) {
+        if (RenderBuffer* const buffer = buffer_of(binding)) buffer->clear(binding.clearValue);
+    }
+}
+
+void RenderPass::show(const RenderedImage& image) const {
+    for (const Target& target : targets_) write_aov(target.aov, image, request_.view, *target.buffer);
+}
+
+}  // namespace etendue::hydra

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <etendue/scene_description.h>
+
+#include <pxr/base/gf/matrix4d.h>
+#include <pxr/base/tf/token.h>
+#include <pxr/base/vt/array.h>
+#include <pxr/base/vt/types.h>
+#include <pxr/imaging/hd/material.h>
+#include <pxr/usd/sdf/path.h>
+
+#include "usd.h"
+
+namespace etendue::hydra {
+
+/// Texture coordinates as one primvar has them.
+struct TextureCoordinates {
+    std::vector<Float2> values;
+    Interpolation interpolation = Interpolation::Vertex;
+};
+
+/// The heavy part of a shape, shared between edits that leave it alone. A mesh comes without texture coordinates: which
+/// ones it needs, its material says, which may change later.
+struct Geometry {
+    GeometryDesc desc;
+    std::map<std::string, TextureCoordinates> coordinates;
+    /// What MeshDesc::face_materials index; the first stands for the material of the whole prim.
+    std::vector<SdfPath> subset_materials;
+};
+
+struct ShapeRecord {
+    std::shared_ptr<const Geometry> geometry;  ///< null: nothing that can be rendered
+    SdfPath material;                          ///< empty: displayColor
+    std::optional<Color> display_color;
+    double display_opacity = 1;
+    GfMatrix4d transform{1.0};
+    bool visible = true;
+    TfToken render_tag;
+    bool instanced = false;
+    VtMatrix4dArray instances;  ///< world from the instanced prim's own world
+};
+
+struct LightRecord {
+    LightDesc desc;
+    bool visible = true;
+};
+
+/// The scene as Hydra's prims have told it, by path. Renders read a copy, so prims may be edited while one runs; every
+/// edit makes a new version. May be called from several threads.
+class SceneStore {
+public:
+    void set_shape(const SdfPath& path, ShapeRecord record);
+    void set_light(const SdfPath& path, LightRecord record);
+    void set_material(const SdfPath& path, HdMaterialNetwork2 network);
+    void remove_shape(const SdfPath& path);
+    void remove_light(const SdfPath& path);
+    void remove_material(const SdfPath& path);
+
+    [[nodiscard]] std::uint64_t version() const { return version_; }
+    /// Makes a new version of the same scene, which is rendered anew.
+    void touch() { ++version_; }
+
+    /// Copies, which share the geometry.
+    struct Contents {
+        std::map<SdfPath, ShapeRecord> shapes;
+        std::map<SdfPath, LightRecord> lights;
+        std::map<SdfPath, HdMaterialNetwork2> materials;
+        std::uint64_t version = 0;
+    };
+    [[nodiscard]] Contents contents() const;
+
+private:
+    mutable std::mutex mutex_;
+    Contents contents_;
+    std::atomic<std::uint64_t> version_{1};
+};
+
+}  // namespace etendue::hydra
