@@ -72,6 +72,22 @@ VtDictionary RenderDelegate::GetRenderStats() const {
     return stats;
 }
 
+bool RenderDelegate::IsPaused() const {
+    bool paused = false;
+    param_.renderers().for_each([&paused](const Renderer& renderer) { paused = paused || renderer.is_paused(); });
+    return paused;
+}
+
+bool RenderDelegate::Pause() {
+    param_.renderers().for_each([](Renderer& renderer) { renderer.set_paused(true); });
+    return true;
+}
+
+bool RenderDelegate::Resume() {
+    param_.renderers().for_each([](Renderer& renderer) { renderer.set_paused(false); });
+    return true;
+}
+
 bool RenderDelegate::IsStopped() const {
     bool stopped = true;
     param_.renderers().for_each([&stopped](const Renderer& renderer) { stopped = stopped && renderer.is_finished(); });

@@ -25,6 +25,10 @@ public:
     [[nodiscard]] TfTokenVector GetRenderSettingsNamespaces() const override;
     [[nodiscard]] VtDictionary GetRenderStats() const override;
 
+    [[nodiscard]] bool IsPauseSupported() const override { return true; }
+    [[nodiscard]] bool IsPaused() const override;
+    bool Pause() override;
+    bool Resume() override;
     [[nodiscard]] bool IsStopSupported() const override { return true; }
     [[nodiscard]] bool IsStopped() const override;
     bool Stop(bool blocking) override;

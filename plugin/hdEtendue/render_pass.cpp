@@ -3,6 +3,9 @@
 #include <optional>
 #include <utility>
 
+#include <etendue/image_io.h>
+
+#include <pxr/base/tf/diagnostic.h>
 #include <pxr/imaging/hd/renderIndex.h>
 #include <pxr/imaging/hd/renderPassState.h>
 
@@ -12,6 +15,8 @@
 
 namespace etendue::hydra {
 namespace {
+
+constexpr Aov kAllAovs[] = {Aov::Depth, Aov::Normal, Aov::Albedo, Aov::SampleCount, Aov::Variance};
 
 RenderBuffer* buffer_of(const HdRenderPassAovBinding& binding) {
     return static_cast<RenderBuffer*>(binding.renderBuffer);
@@ -50,7 +55,10 @@ void RenderPass::_Execute(const HdRenderPassStateSharedPtr& state, const TfToken
         request_ = std::move(request);
         start(request_);
     }
-    if (const std::optional<RenderedImage> image = renderer_.fresh_image()) show(*image);
+    if (const std::optional<RenderedImage> image = renderer_.fresh_image()) {
+        show(*image);
+        if (renderer_.is_finished()) write(*image);
+    }
     converged_ = renderer_.is_finished();
     for (const Target& target : targets_) target.buffer->set_converged(converged_);
 }
@@ -62,6 +70,7 @@ RenderPass::Request RenderPass::read_request(const HdRenderPassState& state, con
     request.view = read_view(state);
     request.selection = {render_tags, GetRprimCollection().GetRootPaths(), GetRprimCollection().GetExcludePaths()};
     request.aovs = needed_aovs(state.GetAovBindings());
+    if (!output_file(param_.delegate()).empty()) request.aovs.insert(std::begin(kAllAovs), std::end(kAllAovs));
     return request;
 }
 
@@ -86,6 +95,16 @@ void RenderPass::clear(const HdRenderPassAovBindingVector& bindings) const {
 
 void RenderPass::show(const RenderedImage& image) const {
     for (const Target& target : targets_) write_aov(target.aov, image, request_.view, *target.buffer);
+}
+
+void RenderPass::write(const RenderedImage& image) const {
+    const std::string file = output_file(param_.delegate());
+    if (file.empty()) return;
+    try {
+        write_exr(file, image, {{"software", "Etendue"}});
+    } catch (const std::exception& error) {
+        TF_RUNTIME_ERROR("Etendue: %s", error.what());
+    }
 }
 
 }  // namespace etendue::hydra

@@ -53,6 +53,7 @@ private:
     void start(const Request& request);
     void clear(const HdRenderPassAovBindingVector& bindings) const;
     void show(const RenderedImage& image) const;
+    void write(const RenderedImage& image) const;
 
     RenderParam& param_;
     Renderer renderer_;

@@ -21,6 +21,7 @@ void Renderer::start(const SceneDescription& scene, const RenderSettings& settin
     shown_at_ = Clock::now();
     try {
         auto session = std::make_unique<RenderSession>(scene, settings);
+        session->set_paused(paused_);
         session->start();
         const std::lock_guard lock(mutex_);
         session_ = std::move(session);
@@ -38,6 +39,12 @@ void Renderer::stop() {
     }
     finished_ = true;
     // Destroyed without the lock: it waits for the render threads.
+}
+
+void Renderer::set_paused(bool paused) {
+    const std::lock_guard lock(mutex_);
+    paused_ = paused;
+    if (session_) session_->set_paused(paused);
 }
 
 std::optional<RenderedImage> Renderer::fresh_image() {

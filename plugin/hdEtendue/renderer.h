@@ -18,8 +18,11 @@ class Renderer {
 public:
     /// Starts anew; what was being rendered is dropped.
     void start(const SceneDescription& scene, const RenderSettings& settings);
-    /// Ends rendering; what has been rendered stays.
+    /// Ends rendering; what has been shown stays.
     void stop();
+    /// Holds this render, and those started while held, or lets them go on.
+    void set_paused(bool paused);
+    [[nodiscard]] bool is_paused() const { return paused_; }
 
     /// The picture so far when it is worth another look: a pass more than last time, or a while later. Waits a moment
     /// for it, so that a host that asks in a loop leaves the processor to the render. Empty otherwise.
@@ -43,6 +46,7 @@ private:
     std::unique_ptr<RenderSession> session_;
     RenderStatistics statistics_;
     std::atomic<bool> finished_{true};
+    std::atomic<bool> paused_{false};
     std::int64_t shown_passes_ = -1;
     Clock::time_point shown_at_;
 };

@@ -34,6 +34,8 @@ constexpr Setting kShadingNormal{"etendue:adjoint:shadingNormal",
 constexpr Setting kPhong{"etendue:adjoint:phong", "Adjoint factor of classic Phong (off: wrong on purpose)",
                          "HDETENDUE_ADJOINT_PHONG"};
 
+constexpr Setting kOutput{"etendue:output", "Write the finished picture to (.exr)", "HDETENDUE_OUTPUT"};
+
 const std::map<std::string, IntegratorKind>& integrators() {
     static const std::map<std::string, IntegratorKind> names{
         {"bdpt", IntegratorKind::Bdpt}, {"path", IntegratorKind::Path}, {"light", IntegratorKind::Light}};
@@ -88,7 +90,12 @@ HdRenderSettingDescriptorList setting_descriptors() {
             whole(kThreads, defaults.threads),
             flag(kRefraction, defaults.adjoint.refraction),
             flag(kShadingNormal, defaults.adjoint.shading_normal),
-            flag(kPhong, defaults.adjoint.phong)};
+            flag(kPhong, defaults.adjoint.phong),
+            describe(kOutput, VtValue(TfGetenv(kOutput.variable)))};
+}
+
+std::string output_file(const HdRenderDelegate& delegate) {
+    return text(delegate.GetRenderSetting(TfToken(kOutput.key)));
 }
 
 RenderSettings render_settings(const HdRenderDelegate& delegate) {

@@ -36,6 +36,8 @@ public:
     void start();
     /// Asks the render to end soon; what has been rendered stays.
     void cancel() noexcept;
+    /// Holds rendering, soon, or lets it go on; a held render can be cancelled, and its time limit runs on.
+    void set_paused(bool paused);
     /// Returns when rendering has ended; rethrows what ended it early, if anything did.
     void wait();
     /// Waits at most `seconds`; true when rendering has ended.

@@ -112,6 +112,7 @@ class EmbreeAccel::Impl {
 public:
     explicit Impl(const AccelInput& input) : device_(rtcNewDevice(nullptr)), top_count_(input.top.size()) {
         check();
+        check_version();
         rtcSetDeviceErrorFunction(device_.get(), &Impl::on_error, this);
         for (const auto& group : input.groups) {
             groups_.push_back(new_scene(device_.get(), group));
@@ -153,6 +154,15 @@ private:
         if (!device_) throw Error("Embree: no device");
         const RTCError code = rtcGetDeviceError(device_.get());
         if (code != RTC_ERROR_NONE) throw Error("Embree: error " + std::to_string(code) + " " + message_);
+    }
+
+    /// Embree's symbols carry no version: in a process that has loaded another one for all to see (Blender has Embree
+    /// 4), our calls end there, and rays hit nothing without a word.
+    void check_version() const {
+        const auto major = rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_VERSION_MAJOR);
+        if (major == RTC_VERSION_MAJOR) return;
+        throw Error("Embree: made for version " + std::to_string(RTC_VERSION_MAJOR) + ", but the process has loaded " +
+                    std::to_string(major) + " in its place");
     }
 
     static void on_error(void* self, RTCError code, const char* text) {

@@ -78,7 +78,18 @@ public:
         started_ = true;
     }
 
-    void cancel() noexcept { stop_ = true; }
+    void cancel() noexcept {
+        stop_ = true;
+        resume_signal_.notify_all();
+    }
+
+    void set_paused(bool paused) {
+        {
+            const std::lock_guard lock(pause_mutex_);
+            paused_ = paused;
+        }
+        resume_signal_.notify_all();
+    }
 
     void wait() {
         std::unique_lock lock(state_mutex_);
@@ -153,7 +164,10 @@ private:
 
     void render_passes() {
         for (std::int64_t pass = 0; settings_.samples_per_pixel == 0 || pass < settings_.samples_per_pixel; ++pass) {
-            if (!runner_.run(static_cast<std::uint64_t>(pass), stop_, [this](const FilmTile& tile) { take(tile); })) {
+            if (!runner_.run(static_cast<std::uint64_t>(pass), stop_, [this](const FilmTile& tile) {
+                    take(tile);
+                    hold();
+                })) {
                 return;
             }
             {
@@ -163,6 +177,13 @@ private:
             ++passes_done_;
             if (callback_) callback_(progress());
         }
+    }
+
+    /// Waits while paused. Tiles are handed over one by one, so the others soon wait for this one.
+    void hold() {
+        std::unique_lock lock(pause_mutex_);
+        // cancel() notifies without the lock and may come just before the wait: look again after a moment.
+        while (paused_ && !stop_) resume_signal_.wait_for(lock, std::chrono::milliseconds(50));
     }
 
     void take(const FilmTile& tile) {
@@ -183,6 +204,9 @@ private:
     Film film_;
 
     mutable std::mutex film_mutex_;
+    std::mutex pause_mutex_;
+    std::condition_variable resume_signal_;
+    bool paused_ = false;
     mutable std::mutex state_mutex_;
     std::condition_variable ended_signal_;
     std::atomic<bool> stop_{false};
@@ -204,6 +228,7 @@ RenderSession& RenderSession::operator=(RenderSession&&) noexcept = default;
 
 void RenderSession::start() { impl_->start(); }
 void RenderSession::cancel() noexcept { impl_->cancel(); }
+void RenderSession::set_paused(bool paused) { impl_->set_paused(paused); }
 void RenderSession::wait() { impl_->wait(); }
 bool RenderSession::wait_for(double seconds) { return impl_->wait_for(seconds); }
 RenderProgress RenderSession::progress() const { return impl_->progress(); }
