@@ -4,7 +4,10 @@
 #include <memory>
 
 #include <pxr/imaging/hd/changeTracker.h>
+#include <pxr/imaging/hd/dataSource.h>
+#include <pxr/imaging/hd/renderIndex.h>
 #include <pxr/imaging/hd/sceneDelegate.h>
+#include <pxr/imaging/hd/sceneIndex.h>
 #include <pxr/imaging/hd/tokens.h>
 
 #include "convert.h"
@@ -17,15 +20,17 @@ namespace {
 /// The attributes of one implicit surface.
 class Attributes {
 public:
-    Attributes(HdSceneDelegate& delegate, Warnings& warnings, const SdfPath& path)
-        : delegate_(delegate), warnings_(warnings), path_(path) {}
-
-    [[nodiscard]] double number(const char* name, double fallback) const {
-        return number_or(delegate_.Get(path_, TfToken(name)), fallback);
+    Attributes(HdSceneDelegate& delegate, Warnings& warnings, const SdfPath& path, const TfToken& type)
+        : warnings_(warnings), path_(path) {
+        const HdSceneIndexBaseRefPtr scene = delegate.GetRenderIndex().GetTerminalSceneIndex();
+        const HdContainerDataSourceHandle prim = scene ? scene->GetPrim(path).dataSource : nullptr;
+        if (prim) source_ = HdContainerDataSource::Cast(prim->Get(type));
     }
 
+    [[nodiscard]] double number(const char* name, double fallback) const { return number_or(value(name), fallback); }
+
     [[nodiscard]] Axis axis() const {
-        const std::string axis = text(delegate_.Get(path_, TfToken("axis")));
+        const std::string axis = text(value("axis"));
         if (axis == "X") return Axis::X;
         return axis == "Y" ? Axis::Y : Axis::Z;
     }
@@ -42,9 +47,15 @@ public:
     }
 
 private:
-    HdSceneDelegate& delegate_;
+    /// From the scene index: HdSceneDelegate::Get knows some of the types only.
+    [[nodiscard]] VtValue value(const char* name) const {
+        const auto sampled = source_ ? HdSampledDataSource::Cast(source_->Get(TfToken(name))) : nullptr;
+        return sampled ? sampled->GetValue(0) : VtValue();
+    }
+
     Warnings& warnings_;
     SdfPath path_;
+    HdContainerDataSourceHandle source_;
 };
 
 GeometryDesc read_solid(const TfToken& type, const Attributes& from) {
@@ -87,7 +98,7 @@ void Implicit::Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits
     _UpdateInstancer(delegate, bits);
     if (*bits & HdChangeTracker::DirtyPrimvar) {  // Hydra's bit for the attributes, too
         auto geometry = std::make_shared<Geometry>();
-        geometry->desc = read_solid(type_, Attributes(*delegate, shared.warnings(), GetId()));
+        geometry->desc = read_solid(type_, Attributes(*delegate, shared.warnings(), GetId(), type_));
         record_.geometry = std::move(geometry);
         sync_display(shared.warnings(), GetId(), read_primvars(*delegate, GetId()), record_);
     }
