@@ -12,7 +12,12 @@ _ENGINE = EtendueRenderEngine.bl_idname
 
 # Blender's own panels that mean nothing here.
 _FOREIGN = frozenset(
-    {"RENDER_PT_simplify_grease_pencil", "RENDER_PT_stamp", "DATA_PT_shading", "WORLD_PT_viewport_display"}
+    {
+        "RENDER_PT_simplify_grease_pencil",
+        "RENDER_PT_stamp",
+        "DATA_PT_shading",
+        "WORLD_PT_viewport_display",
+    }
 )
 
 

@@ -1,0 +1,3 @@
+"""What USD knows us by."""
+
+RENDERER = "HdEtendueRendererPlugin"
