@@ -14,6 +14,12 @@ if(USD_LIBRARY OR USD_INCLUDE_DIR)
     add_library(etendue_usd INTERFACE)
     target_include_directories(etendue_usd SYSTEM INTERFACE "${USD_INCLUDE_DIR}")
     target_link_libraries(etendue_usd INTERFACE "${USD_LIBRARY}")
+    # A USD with Python has other layouts of its own types, and its headers include Python's.
+    file(STRINGS "${USD_INCLUDE_DIR}/pxr/pxr.h" with_python REGEX "^ *# *define +PXR_PYTHON_SUPPORT_ENABLED")
+    if(with_python)
+        find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+        target_include_directories(etendue_usd SYSTEM INTERFACE ${Python3_INCLUDE_DIRS})
+    endif()
     # The library was linked where its own dependencies are; here they need not be.
     target_link_options(etendue_usd INTERFACE LINKER:--allow-shlib-undefined)
     add_library(Etendue::usd ALIAS etendue_usd)

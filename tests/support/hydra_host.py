@@ -50,8 +50,9 @@ class HydraHost:
             },
         )
         if done.returncode != 0:
-            pytest.fail(f"{' '.join(command)}\n{done.stdout}\n{done.stderr}")
-        return done.stdout + done.stderr
+            command_line = " ".join(command)
+            pytest.fail(f"{command_line}: {done.returncode}\n{done.stdout}\n{done.stderr}")
+        return done.stdout
 
 
 def hydra_host() -> HydraHost:

@@ -13,6 +13,6 @@ def open_in_path_order(file: Path) -> Usd.Stage:
     """
     stage = Usd.Stage.Open(str(file))
     stage.SetEditTarget(stage.GetSessionLayer())
-    for prim in stage.TraverseAll():
+    for prim in (stage.GetPseudoRoot(), *stage.TraverseAll()):
         prim.SetChildrenReorder(sorted(child.GetName() for child in prim.GetAllChildren()))
     return stage

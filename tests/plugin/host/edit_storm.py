@@ -3,7 +3,7 @@ engine that went through all the edits, and through a fresh one.
 
 edit_storm.py EDITS SEED AFTER FRESH
 
-Prints the resident memory, in KiB, after a fifth of the edits and after all.
+Prints "memory" and the resident memory, in KiB, after a fifth of the edits and after all.
 """
 
 from __future__ import annotations
@@ -193,7 +193,7 @@ def storm(edits: int, seed: int, after: Path, fresh: Path) -> None:
             engine.step()
         if number in (max(edits // 5, 1), edits):
             memory.append(resident_memory())
-    print(*memory)
+    print("memory", *memory)
     for live, output in ((engine, after), (LiveEngine(scene.stage, "/Camera", SIZE), fresh)):
         live.set(samplesPerPixel=SAMPLES_AT_THE_END)
         live.picture(output)
