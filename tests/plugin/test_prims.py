@@ -13,6 +13,9 @@ from support.path_order import open_in_path_order
 from support.same_picture import assert_same_picture, read_color, rgb
 from support.stage_builder import StageBuilder
 
+SKY = Sdf.AssetPath(
+    str(Path(__file__).resolve().parents[2] / "stages" / "textures" / "sundial.hdr")
+)
 WIDTH = 64
 SAMPLES = 4
 ENVIRONMENTS = pytest.mark.parametrize(
@@ -150,8 +153,8 @@ def test_a_subdivision_mesh_without_normals(
         ("SphereLight", {"inputs:radius": 0.3, "treatAsPoint": True}),
         ("CylinderLight", {"inputs:length": 2.0, "inputs:radius": 0.2}),
         ("DistantLight", {"inputs:angle": 5.0, "inputs:intensity": 200.0}),
-        ("DomeLight", {"inputs:color": Gf.Vec3f(0.5, 0.7, 1.0)}),
-        ("DomeLight_1", {"poleAxis": "Z"}),
+        ("DomeLight", {"inputs:texture:file": SKY, "inputs:color": Gf.Vec3f(0.5, 0.7, 1.0)}),
+        ("DomeLight_1", {"inputs:texture:file": SKY, "poleAxis": "Z"}),
         (
             "RectLight",
             {"inputs:enableColorTemperature": True, "inputs:colorTemperature": 3000.0},
@@ -219,19 +222,18 @@ def test_a_texture_with_coordinates_of_another_name(
     host: HydraHost, tmp_path: Path, environment: dict[str, str], context: str
 ) -> None:
     studio = Studio()
-    texture = Path(__file__).resolve().parents[2] / "stages" / "textures" / "sundial.hdr"
     mesh = studio.box("/Box")
     coordinates = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
         "map2", Sdf.ValueTypeNames.TexCoord2fArray, "faceVarying"
     )
     coordinates.Set([(0, 0), (1, 0), (1, 1), (0, 1)])
     coordinates.SetIndices([0, 1, 2, 3, 3, 2, 1, 0])
-    material = (usd_textured if context == "" else mtlx_textured)(studio, str(texture))
+    material = (usd_textured if context == "" else mtlx_textured)(studio)
     UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(material)
     assert_parity(host, studio, tmp_path, environment)
 
 
-def usd_textured(studio: Studio, file: str) -> UsdShade.Material:
+def usd_textured(studio: Studio) -> UsdShade.Material:
     """UsdPreviewSurface, UsdUVTexture, UsdTransform2d and a primvar reader."""
     reader = studio.node("UsdPrimvarReader_float2", "/Coordinates", varname="map2")
     place = studio.node(
@@ -243,7 +245,7 @@ def usd_textured(studio: Studio, file: str) -> UsdShade.Material:
     image = studio.node(
         "UsdUVTexture",
         "/Image",
-        file=Sdf.AssetPath(file),
+        file=SKY,
         wrapS="repeat",
         wrapT="mirror",
         scale=Gf.Vec4f(0.5, 0.5, 0.5, 1),
@@ -252,13 +254,13 @@ def usd_textured(studio: Studio, file: str) -> UsdShade.Material:
     return studio.material(diffuseColor=image.CreateOutput("rgb", Sdf.ValueTypeNames.Float3))
 
 
-def mtlx_textured(studio: Studio, file: str) -> UsdShade.Material:
+def mtlx_textured(studio: Studio) -> UsdShade.Material:
     """OpenPBR with MaterialX's nodes."""
     reader = studio.node("ND_geompropvalue_vector2", "/Coordinates", geomprop="map2")
     image = studio.node(
         "ND_image_color3",
         "/Image",
-        file=Sdf.AssetPath(file),
+        file=SKY,
         texcoord=reader.CreateOutput("out", Sdf.ValueTypeNames.Float2),
     )
     return studio.material(
