@@ -34,7 +34,7 @@ public:
         : scene_(scene), warnings_(warnings), materials_({scene, warnings}, contents.materials) {}
 
     void add(const SdfPath& path, const ShapeRecord& record) {
-        ShapeDesc shape = describe(path, record);
+        ShapeDesc shape = describe(path, record, bind(record));
         if (!record.instanced) {
             scene_.shapes.push_back(std::move(shape));
             return;
@@ -46,9 +46,26 @@ public:
         }
     }
 
+    /// A mesh light, once for each of its instances: a light is one place in the world.
+    void add_light(const SdfPath& path, const ShapeRecord& record) {
+        const ShapeDesc shape = describe(path, record, bind_light(path, record));
+        if (!record.instanced) return add_light(shape, *record.light, record.transform);
+        for (const GfMatrix4d& transform : record.instances.AsConst()) {
+            add_light(shape, *record.light, record.transform * transform);
+        }
+    }
+
 private:
-    ShapeDesc describe(const SdfPath& path, const ShapeRecord& record) {
-        const std::vector<BoundMaterial> bound = bind(record);
+    void add_light(ShapeDesc shape, const MeshLight& light, const GfMatrix4d& transform) {
+        LightDesc desc = light.desc;
+        desc.shape = static_cast<int>(scene_.shapes.size());
+        desc.world_from_light = column_matrix(transform);
+        shape.parent_from_object = desc.world_from_light;
+        scene_.shapes.push_back(std::move(shape));
+        scene_.lights.push_back(std::move(desc));
+    }
+
+    ShapeDesc describe(const SdfPath& path, const ShapeRecord& record, const std::vector<BoundMaterial>& bound) {
         ShapeDesc shape;
         shape.name = path.GetString();
         shape.parent_from_object = column_matrix(record.transform);
@@ -74,10 +91,32 @@ private:
         return bound;
     }
 
+    std::vector<BoundMaterial> bind_light(const SdfPath& path, const ShapeRecord& record) {
+        std::vector<BoundMaterial> bound = bind(record);
+        const auto emits = [](const BoundMaterial& material) { return material.emits; };
+        if (record.light->sync == MaterialSync::NoResponse) {
+            bound.assign(bound.size(), materials_.black());
+        } else if (record.light->desc.tinted_by_material && std::none_of(bound.begin(), bound.end(), emits)) {
+            warnings_.warn("mesh light without glow", path,
+                           "materialGlowTintsLight multiplies the light by its material's emission, which is black: "
+                           "it emits nothing");
+        }
+        return bound;
+    }
+
     SceneDescription& scene_;
     Warnings& warnings_;
     MaterialTranslator materials_;
 };
+
+/// All lights in the order of paths: first those that are shapes, as far as they come before `path`.
+void add_mesh_lights_before(const SdfPath* path, std::map<SdfPath, const ShapeRecord*>& waiting, Assembler& assembler) {
+    while (!waiting.empty() && (path == nullptr || waiting.begin()->first < *path)) {
+        const auto first = waiting.begin();
+        assembler.add_light(first->first, *first->second);
+        waiting.erase(first);
+    }
+}
 
 }  // namespace
 
@@ -92,14 +131,21 @@ bool Selection::includes(const SdfPath& path, const TfToken& render_tag) const {
 SceneDescription assemble(const SceneStore::Contents& contents, const Selection& selection, Warnings& warnings) {
     SceneDescription scene;
     Assembler assembler(scene, contents, warnings);
+    std::map<SdfPath, const ShapeRecord*> mesh_lights;
     for (const auto& [path, record] : contents.shapes) {
-        if (record.visible && record.geometry && selection.includes(path, record.render_tag)) {
+        if (!record.visible || !record.geometry || !selection.includes(path, record.render_tag)) continue;
+        if (record.light) {
+            mesh_lights[path] = &record;
+        } else {
             assembler.add(path, record);
         }
     }
     for (const auto& [path, record] : contents.lights) {
-        if (record.visible) scene.lights.push_back(record.desc);
+        if (!record.visible) continue;
+        add_mesh_lights_before(&path, mesh_lights, assembler);
+        scene.lights.push_back(record.desc);
     }
+    add_mesh_lights_before(nullptr, mesh_lights, assembler);
     return scene;
 }
 

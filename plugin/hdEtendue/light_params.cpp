@@ -103,4 +103,19 @@ void LightParams::warn_unsupported() const {
     }
 }
 
+std::optional<MeshLight> read_mesh_light(HdSceneDelegate& delegate, Warnings& warnings, const SdfPath& path) {
+    const LightParams params(delegate, warnings, path);
+    if (params.number("isLight", 0) == 0) return std::nullopt;
+    MeshLight light;
+    light.desc.kind = LightKind::Mesh;
+    light.desc.name = path.GetString();
+    params.fill_emission(light.desc);
+    params.warn_unsupported();
+    const std::string sync = text(params.value("materialSyncMode"));
+    if (sync == "noMaterialResponse") light.sync = MaterialSync::NoResponse;
+    if (sync == "independent") light.sync = MaterialSync::Independent;
+    light.desc.tinted_by_material = light.sync == MaterialSync::GlowTintsLight;
+    return light;
+}
+
 }  // namespace etendue::hydra

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <pxr/base/vt/value.h>
 #include <pxr/imaging/hd/sceneDelegate.h>
 
@@ -7,6 +9,10 @@
 #include "warnings.h"
 
 namespace etendue::hydra {
+
+/// The light that a mesh is, if it is one.
+[[nodiscard]] std::optional<MeshLight> read_mesh_light(HdSceneDelegate& delegate, Warnings& warnings,
+                                                       const SdfPath& path);
 
 /// The parameters of one light prim by UsdLux's names.
 class LightParams {

@@ -3,6 +3,7 @@
 #include <pxr/imaging/hd/changeTracker.h>
 #include <pxr/imaging/hd/sceneDelegate.h>
 
+#include "light_params.h"
 #include "mesh_geometry.h"
 #include "render_param.h"
 #include "shape_sync.h"
@@ -30,6 +31,7 @@ void Mesh::Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits* bi
         const auto primvars = read_primvars(*delegate, GetId());
         record_.geometry = read_mesh_geometry(shared.warnings(), *delegate, GetId(), primvars);
         sync_display(shared.warnings(), GetId(), primvars, record_);
+        record_.light = read_mesh_light(*delegate, shared.warnings(), GetId());
     }
     sync_shape(*delegate, *this, *bits, record_);
     shared.store().set_shape(GetId(), record_);

@@ -37,6 +37,15 @@ struct Geometry {
     std::vector<SdfPath> subset_materials;
 };
 
+/// How a mesh light and its material go together (UsdLux's materialSyncMode).
+enum class MaterialSync { NoResponse, GlowTintsLight, Independent };
+
+/// A mesh that emits light of its own.
+struct MeshLight {
+    LightDesc desc;  ///< without its shape
+    MaterialSync sync = MaterialSync::GlowTintsLight;
+};
+
 struct ShapeRecord {
     std::shared_ptr<const Geometry> geometry;  ///< null: nothing that can be rendered
     SdfPath material;                          ///< empty: displayColor
@@ -47,6 +56,7 @@ struct ShapeRecord {
     TfToken render_tag;
     bool instanced = false;
     VtMatrix4dArray instances;  ///< world from the instanced prim's own world
+    std::optional<MeshLight> light;
 };
 
 struct LightRecord {

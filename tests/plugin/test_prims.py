@@ -179,6 +179,26 @@ def test_lights(
 
 
 @ENVIRONMENTS
+@pytest.mark.parametrize("mode", ["noMaterialResponse", "independent", "materialGlowTintsLight"])
+def test_mesh_lights(
+    host: HydraHost, tmp_path: Path, environment: dict[str, str], mode: str
+) -> None:
+    studio = Studio()
+    for name in ("Above", "Box"):  # on either side of the lamp
+        mesh = studio.box(f"/{name}")
+        light = UsdLux.MeshLightAPI.Apply(mesh.GetPrim())
+        lux = UsdLux.LightAPI(light.GetPrim())
+        lux.CreateIntensityAttr(3)
+        lux.GetMaterialSyncModeAttr().Set(mode)
+        glow = studio.material(
+            path=f"/Glow{name}", emissiveColor=Gf.Vec3f(1, 0.5, 0.2), diffuseColor=Gf.Vec3f(0.3)
+        )
+        UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(glow)
+    UsdGeom.XformCommonAPI(studio.stage.GetPrimAtPath("/Above")).SetTranslate((-2, 1, 0))
+    assert_parity(host, studio, tmp_path, environment)
+
+
+@ENVIRONMENTS
 def test_a_shaped_light(host: HydraHost, tmp_path: Path, environment: dict[str, str]) -> None:
     studio = Studio()
     light = studio.light("SphereLight", "/Spot", radius=0.2, intensity=300.0)
