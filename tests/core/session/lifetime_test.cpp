@@ -77,6 +77,29 @@ TEST(Lifetime, DestructionEndsTheRender) {
     EXPECT_LT(seconds_since(begin), kPrompt);
 }
 
+TEST(Lifetime, APausedRenderStandsStill) {
+    const RenderSettings settings = small_settings(IntegratorKind::Bdpt, 24, 6);
+    RenderSession session(diffuse_box(), settings);
+    session.set_paused(true);
+    session.start();
+    EXPECT_FALSE(session.wait_for(0.3));  // the whole render takes a fraction of that
+    EXPECT_EQ(session.progress().passes_done, 0);
+    session.set_paused(false);
+    session.wait();
+    EXPECT_EQ(session.snapshot().find(Aov::Color)->data, render(diffuse_box(), settings).find(Aov::Color)->data);
+}
+
+TEST(Lifetime, APausedRenderCanBeCancelled) {
+    RenderSession session(diffuse_box(), endless(IntegratorKind::Bdpt, 32));
+    session.start();
+    session.set_paused(true);
+    EXPECT_FALSE(session.wait_for(0.1));
+    const auto begin = Clock::now();
+    session.cancel();
+    session.wait();
+    EXPECT_LT(seconds_since(begin), kPrompt);
+}
+
 TEST(Lifetime, SessionsMayBeMovedWhileRendering) {
     RenderSession session(diffuse_box(), small_settings(IntegratorKind::Bdpt, 24, 8));
     session.start();
