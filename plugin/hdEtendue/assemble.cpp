@@ -46,7 +46,16 @@ public:
         }
     }
 
-    /// A mesh light, once for each of its instances: a light is one place in the world.
+    /// Once for each of its instances: a light is one place in the world.
+    void add_light(const LightRecord& record) {
+        const auto add_at = [this, &record](const GfMatrix4d& transform) {
+            scene_.lights.push_back(record.desc);
+            scene_.lights.back().world_from_light = column_matrix(transform);
+        };
+        if (!record.instanced) return add_at(record.transform);
+        for (const GfMatrix4d& transform : record.instances.AsConst()) add_at(record.transform * transform);
+    }
+
     void add_light(const SdfPath& path, const ShapeRecord& record) {
         const ShapeDesc shape = describe(path, record, bind_light(path, record));
         if (!record.instanced) return add_light(shape, *record.light, record.transform);
@@ -143,7 +152,7 @@ SceneDescription assemble(const SceneStore::Contents& contents, const Selection&
     for (const auto& [path, record] : contents.lights) {
         if (!record.visible) continue;
         add_mesh_lights_before(&path, mesh_lights, assembler);
-        scene.lights.push_back(record.desc);
+        assembler.add_light(record);
     }
     add_mesh_lights_before(nullptr, mesh_lights, assembler);
     return scene;

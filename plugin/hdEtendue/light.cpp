@@ -6,7 +6,7 @@
 #include <pxr/imaging/hd/sceneDelegate.h>
 #include <pxr/imaging/hd/tokens.h>
 
-#include "convert.h"
+#include "instancer.h"
 #include "light_params.h"
 #include "render_param.h"
 
@@ -43,15 +43,24 @@ void Light::Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits* b
     LightRecord record;
     record.desc.name = GetId().GetString();
     record.desc.kind = kind_of(type_);
-    GfMatrix4d transform = delegate->GetTransform(GetId());
-    if (record.desc.kind == LightKind::Dome) transform = dome_offset(params) * transform;
-    record.desc.world_from_light = column_matrix(transform);
+    record.transform = delegate->GetTransform(GetId());
+    if (record.desc.kind == LightKind::Dome) record.transform = dome_offset(params) * record.transform;
+    sync_instances(*delegate, bits, record);
     record.visible = delegate->GetVisible(GetId());
     params.fill_emission(record.desc);
     params.fill_size(record.desc);
     params.warn_unsupported();
     shared.store().set_light(GetId(), std::move(record));
     *bits = Clean;
+}
+
+void Light::sync_instances(HdSceneDelegate& delegate, HdDirtyBits* bits, LightRecord& record) {
+    _UpdateInstancer(&delegate, bits);
+    record.instanced = !GetInstancerId().IsEmpty();
+    if (!record.instanced) return;
+    HdRenderIndex& index = delegate.GetRenderIndex();
+    HdInstancer::_SyncInstancerAndParents(index, GetInstancerId());
+    record.instances = instance_transforms(index, GetInstancerId(), GetId());
 }
 
 void Light::Finalize(HdRenderParam* param) { ours(param).store().remove_light(GetId()); }

@@ -2,7 +2,7 @@
 
 #include <pxr/imaging/hd/light.h>
 
-#include "usd.h"
+#include "scene_store.h"
 
 namespace etendue::hydra {
 
@@ -19,6 +19,8 @@ public:
     [[nodiscard]] static const TfTokenVector& types();
 
 private:
+    void sync_instances(HdSceneDelegate& delegate, HdDirtyBits* bits, LightRecord& record);
+
     TfToken type_;
 };
 

@@ -60,8 +60,11 @@ struct ShapeRecord {
 };
 
 struct LightRecord {
-    LightDesc desc;
+    LightDesc desc;  ///< without its transform
+    GfMatrix4d transform{1.0};
     bool visible = true;
+    bool instanced = false;
+    VtMatrix4dArray instances;  ///< as of a shape
 };
 
 /// The scene as Hydra's prims have told it, by path. Renders read a copy, so prims may be edited while one runs; every

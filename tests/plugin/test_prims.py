@@ -199,6 +199,20 @@ def test_mesh_lights(
 
 
 @ENVIRONMENTS
+def test_instanced_lights(host: HydraHost, tmp_path: Path, environment: dict[str, str]) -> None:
+    studio = Studio()
+    instancer = UsdGeom.PointInstancer.Define(studio.stage, "/Lamps")
+    lamp = UsdLux.SphereLight.Define(studio.stage, "/Lamps/Lamp/Light")
+    lamp.CreateRadiusAttr(0.2)
+    lamp.CreateIntensityAttr(30)
+    UsdGeom.XformCommonAPI(lamp).SetTranslate((0, 1, 0))
+    instancer.CreatePrototypesRel().SetTargets(["/Lamps/Lamp"])
+    instancer.CreateProtoIndicesAttr([0, 0])
+    instancer.CreatePositionsAttr([(-2, 0, 0), (2, 0, -1)])
+    assert_parity(host, studio, tmp_path, environment)
+
+
+@ENVIRONMENTS
 def test_a_shaped_light(host: HydraHost, tmp_path: Path, environment: dict[str, str]) -> None:
     studio = Studio()
     light = studio.light("SphereLight", "/Spot", radius=0.2, intensity=300.0)
