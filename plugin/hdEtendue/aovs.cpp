@@ -25,40 +25,47 @@ struct Kind {
     HdFormat format;
     VtValue clear;
     std::vector<Aov> sources;
-    /// Needs all of the sources in the image.
-    Source (*make)(const RenderedImage& image, const View& view);
+    /// Needs all of the sources in the image, or the identifiers.
+    Source (*make)(const RenderView& fresh, const View& view);
 };
 
 const float* data_of(const RenderedImage& image, Aov aov) { return image.find(aov)->data.data(); }
 
-Source color(const RenderedImage& image, const View& /*view*/) {
-    return [rgb = data_of(image, Aov::Color), alpha = data_of(image, Aov::Alpha)](std::size_t i) -> Pixel {
+template <std::vector<std::int32_t> Identifiers::* Member>
+Source identifier(const RenderView& fresh, const View& /*view*/) {
+    return [ids = (*fresh.identifiers.*Member).data()](std::size_t i) -> Pixel {
+        return {{static_cast<float>(ids[i])}, 1};
+    };
+}
+
+Source color(const RenderView& fresh, const View& /*view*/) {
+    return [rgb = data_of(fresh.image, Aov::Color), alpha = data_of(fresh.image, Aov::Alpha)](std::size_t i) -> Pixel {
         return {{rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2], alpha[i]}, 4};
     };
 }
 
 template <Aov Name>
-Source scalar(const RenderedImage& image, const View& /*view*/) {
-    return [values = data_of(image, Name)](std::size_t i) -> Pixel { return {{values[i]}, 1}; };
+Source scalar(const RenderView& fresh, const View& /*view*/) {
+    return [values = data_of(fresh.image, Name)](std::size_t i) -> Pixel { return {{values[i]}, 1}; };
 }
 
 template <Aov Name>
-Source triple(const RenderedImage& image, const View& /*view*/) {
-    return [rgb = data_of(image, Name)](std::size_t i) -> Pixel {
+Source triple(const RenderView& fresh, const View& /*view*/) {
+    return [rgb = data_of(fresh.image, Name)](std::size_t i) -> Pixel {
         return {{rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]}, 3};
     };
 }
 
-Source camera_depth(const RenderedImage& image, const View& /*view*/) {
-    return [depth = data_of(image, Aov::Depth)](std::size_t i) -> Pixel {
+Source camera_depth(const RenderView& fresh, const View& /*view*/) {
+    return [depth = data_of(fresh.image, Aov::Depth)](std::size_t i) -> Pixel {
         if (!std::isfinite(depth[i])) return {};
         return {{depth[i]}, 1};
     };
 }
 
 /// Window depth, 0 at the near clipping plane and 1 at the far one, which is what hosts composite with.
-Source clip_depth(const RenderedImage& image, const View& view) {
-    return [depth = data_of(image, Aov::Depth), projection = view.projection](std::size_t i) -> Pixel {
+Source clip_depth(const RenderView& fresh, const View& view) {
+    return [depth = data_of(fresh.image, Aov::Depth), projection = view.projection](std::size_t i) -> Pixel {
         if (!std::isfinite(depth[i])) return {};
         const GfVec3d clip = projection.Transform(GfVec3d(0, 0, -depth[i]));
         return {{static_cast<float>(clip[2] / 2 + 0.5)}, 1};
@@ -71,12 +78,12 @@ Pixel unit(const GfVec3f& normal) {
     return {{normal[0] / length, normal[1] / length, normal[2] / length}, 3};
 }
 
-Source normal(const RenderedImage& image, const View& /*view*/) {
-    return [n = data_of(image, Aov::Normal)](std::size_t i) { return unit({n[3 * i], n[3 * i + 1], n[3 * i + 2]}); };
+Source normal(const RenderView& fresh, const View& /*view*/) {
+    return [n = data_of(fresh.image, Aov::Normal)](std::size_t i) { return unit({n[3 * i], n[3 * i + 1], n[3 * i + 2]}); };
 }
 
-Source eye_normal(const RenderedImage& image, const View& view) {
-    return [n = data_of(image, Aov::Normal), to_view = view.world_to_view](std::size_t i) {
+Source eye_normal(const RenderView& fresh, const View& view) {
+    return [n = data_of(fresh.image, Aov::Normal), to_view = view.world_to_view](std::size_t i) {
         return unit(GfVec3f(to_view.TransformDir(GfVec3d(n[3 * i], n[3 * i + 1], n[3 * i + 2]))));
     };
 }
@@ -91,19 +98,20 @@ const std::map<std::string, Kind>& kinds() {
         {"albedo", {HdFormatFloat32Vec3, VtValue(GfVec3f(0)), {Aov::Albedo}, triple<Aov::Albedo>}},
         {"variance", {HdFormatFloat32Vec3, VtValue(GfVec3f(0)), {Aov::Variance}, triple<Aov::Variance>}},
         {"alpha", {HdFormatFloat32, VtValue(0.0F), {Aov::Alpha}, scalar<Aov::Alpha>}},
-        {"sampleCount", {HdFormatFloat32, VtValue(0.0F), {Aov::SampleCount}, scalar<Aov::SampleCount>}}};
+        {"sampleCount", {HdFormatFloat32, VtValue(0.0F), {Aov::SampleCount}, scalar<Aov::SampleCount>}},
+        {"primId", {HdFormatInt32, VtValue(-1), {}, identifier<&Identifiers::prims>}},
+        {"instanceId", {HdFormatInt32, VtValue(-1), {}, identifier<&Identifiers::instances>}},
+        {"elementId", {HdFormatInt32, VtValue(-1), {}, identifier<&Identifiers::elements>}}};
     return all;
-}
-
-/// Which prim a pixel shows, core does not tell; -1 is Hydra's "none".
-bool is_identifier(const TfToken& name) {
-    return name == HdAovTokens->primId || name == HdAovTokens->instanceId || name == HdAovTokens->elementId;
 }
 
 }  // namespace
 
+bool is_identifier(const TfToken& name) {
+    return name == HdAovTokens->primId || name == HdAovTokens->instanceId || name == HdAovTokens->elementId;
+}
+
 HdAovDescriptor describe_aov(const TfToken& name) {
-    if (is_identifier(name)) return {HdFormatInt32, false, VtValue(-1)};
     const auto kind = kinds().find(name.GetString());
     if (kind == kinds().end()) return {};
     return {kind->second.format, false, kind->second.clear};
@@ -114,10 +122,11 @@ std::vector<Aov> sources_of(const TfToken& name) {
     return kind == kinds().end() ? std::vector<Aov>{} : kind->second.sources;
 }
 
-void write_aov(const TfToken& name, const RenderedImage& image, const View& view, RenderBuffer& buffer) {
+void write_aov(const TfToken& name, const RenderView& fresh, const View& view, RenderBuffer& buffer) {
     const auto kind = kinds().find(name.GetString());
     if (kind == kinds().end()) return;
-    const Source source = kind->second.make(image, view);
+    const Source source = kind->second.make(fresh, view);
+    const RenderedImage& image = fresh.image;
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             const Pixel pixel = source(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +

@@ -30,19 +30,26 @@ std::string chosen_st(const std::vector<BoundMaterial>& materials, const Geometr
 
 class Assembler {
 public:
-    Assembler(SceneDescription& scene, const SceneStore::Contents& contents, Warnings& warnings)
-        : scene_(scene), warnings_(warnings), materials_({scene, warnings}, contents.materials) {}
+    Assembler(Assembled& out, const SceneStore::Contents& contents, Warnings& warnings)
+        : scene_(out.scene),
+          prims_(out.prims),
+          warnings_(warnings),
+          materials_({out.scene, warnings}, contents.materials) {}
 
     void add(const SdfPath& path, const ShapeRecord& record) {
         ShapeDesc shape = describe(path, record, bind(record));
         if (!record.instanced) {
             scene_.shapes.push_back(std::move(shape));
+            prims_.shapes.push_back({record.prim_id, record.geometry});
             return;
         }
-        const int group = static_cast<int>(scene_.groups.size());
+        const std::size_t group = scene_.groups.size();
         scene_.groups.push_back({shape.name, {shape}});
+        prims_.groups.push_back({record.prim_id, record.geometry});
+        int number = 0;
         for (const GfMatrix4d& transform : record.instances.AsConst()) {
-            scene_.instances.push_back({shape.name, group, column_matrix(transform)});
+            scene_.instances.push_back({shape.name, static_cast<int>(group), column_matrix(transform)});
+            prims_.instances.push_back({group, number++});
         }
     }
 
@@ -58,10 +65,12 @@ public:
 
     void add_light(const SdfPath& path, const ShapeRecord& record) {
         const ShapeDesc shape = describe(path, record, bind_light(path, record));
-        if (!record.instanced) return add_light(shape, *record.light, record.transform);
-        for (const GfMatrix4d& transform : record.instances.AsConst()) {
-            add_light(shape, *record.light, record.transform * transform);
-        }
+        const auto add_at = [&](const GfMatrix4d& transform) {
+            add_light(shape, *record.light, transform);
+            prims_.shapes.push_back({record.prim_id, record.geometry});
+        };
+        if (!record.instanced) return add_at(record.transform);
+        for (const GfMatrix4d& transform : record.instances.AsConst()) add_at(record.transform * transform);
     }
 
 private:
@@ -79,17 +88,9 @@ private:
         shape.name = path.GetString();
         shape.parent_from_object = column_matrix(record.transform);
         for (const BoundMaterial& material : bound) shape.materials.push_back(material.index);
-        GeometryDesc geometry = record.geometry->desc;
-        if (auto* const mesh = std::get_if<MeshDesc>(&geometry)) {
-            const auto& known = record.geometry->coordinates;
-            const auto st = known.find(chosen_st(bound, *record.geometry, shape.name, warnings_));
-            if (st != known.end()) {
-                mesh->st = st->second.values;
-                mesh->st_interpolation = st->second.interpolation;
-            }
-        }
         shape.geometry = static_cast<int>(scene_.geometries.size());
-        scene_.geometries.push_back(std::move(geometry));
+        scene_.geometries.push_back(
+            record.geometry->with_coordinates(chosen_st(bound, *record.geometry, shape.name, warnings_)));
         return shape;
     }
 
@@ -114,6 +115,7 @@ private:
     }
 
     SceneDescription& scene_;
+    PrimTable& prims_;
     Warnings& warnings_;
     MaterialTranslator materials_;
 };
@@ -137,9 +139,9 @@ bool Selection::includes(const SdfPath& path, const TfToken& render_tag) const {
     return std::any_of(roots.begin(), roots.end(), below) && std::none_of(excluded.begin(), excluded.end(), below);
 }
 
-SceneDescription assemble(const SceneStore::Contents& contents, const Selection& selection, Warnings& warnings) {
-    SceneDescription scene;
-    Assembler assembler(scene, contents, warnings);
+Assembled assemble(const SceneStore::Contents& contents, const Selection& selection, Warnings& warnings) {
+    Assembled out;
+    Assembler assembler(out, contents, warnings);
     std::map<SdfPath, const ShapeRecord*> mesh_lights;
     for (const auto& [path, record] : contents.shapes) {
         if (!record.visible || !record.geometry || !selection.includes(path, record.render_tag)) continue;
@@ -155,7 +157,7 @@ SceneDescription assemble(const SceneStore::Contents& contents, const Selection&
         assembler.add_light(record);
     }
     add_mesh_lights_before(nullptr, mesh_lights, assembler);
-    return scene;
+    return out;
 }
 
 }  // namespace etendue::hydra

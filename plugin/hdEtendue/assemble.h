@@ -4,6 +4,7 @@
 
 #include <etendue/scene_description.h>
 
+#include "identifiers.h"
 #include "scene_store.h"
 #include "warnings.h"
 
@@ -19,8 +20,13 @@ struct Selection {
     [[nodiscard]] bool operator==(const Selection&) const = default;
 };
 
-/// The scene without a camera, in the order of paths, so that equal contents give equal scenes.
-[[nodiscard]] SceneDescription assemble(const SceneStore::Contents& contents, const Selection& selection,
-                                        Warnings& warnings);
+struct Assembled {
+    SceneDescription scene;  ///< without a camera
+    PrimTable prims;
+};
+
+/// In the order of paths, so that equal contents give equal scenes.
+[[nodiscard]] Assembled assemble(const SceneStore::Contents& contents, const Selection& selection,
+                                 Warnings& warnings);
 
 }  // namespace etendue::hydra

@@ -97,9 +97,8 @@ void Implicit::Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits
     _UpdateVisibility(delegate, bits);
     _UpdateInstancer(delegate, bits);
     if (*bits & HdChangeTracker::DirtyPrimvar) {  // Hydra's bit for the attributes, too
-        auto geometry = std::make_shared<Geometry>();
-        geometry->desc = read_solid(type_, Attributes(*delegate, shared.warnings(), GetId(), type_));
-        record_.geometry = std::move(geometry);
+        record_.geometry = std::make_shared<const Geometry>(
+            read_solid(type_, Attributes(*delegate, shared.warnings(), GetId(), type_)));
         sync_display(shared.warnings(), GetId(), read_primvars(*delegate, GetId()), record_);
     }
     sync_shape(*delegate, *this, *bits, record_);

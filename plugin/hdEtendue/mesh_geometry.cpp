@@ -48,16 +48,16 @@ void set_normals(Warnings& warnings, const SdfPath& path, const TfToken& scheme,
     if (mesh.normals.empty()) mesh.normals = smooth_normals(mesh.points, topology, mesh.left_handed);
 }
 
-/// Fills the materials of faces from their subsets; the first stands for faces in none.
-void set_subsets(Warnings& warnings, const HdMeshTopology& source, const Topology& topology, Geometry& geometry,
-                 MeshDesc& mesh) {
-    if (source.GetGeomSubsets().empty()) return;
+/// Fills the materials of faces from their subsets; the first of those returned stands for faces in none.
+std::vector<SdfPath> set_subsets(Warnings& warnings, const HdMeshTopology& source, const Topology& topology,
+                                 MeshDesc& mesh) {
+    if (source.GetGeomSubsets().empty()) return {};
     std::vector<std::int32_t> faces(topology.counts.size(), 0);
-    geometry.subset_materials.emplace_back();
+    std::vector<SdfPath> materials(1);
     for (const HdGeomSubset& subset : source.GetGeomSubsets()) {
         if (subset.materialId.IsEmpty()) continue;
-        const auto slot = static_cast<std::int32_t>(geometry.subset_materials.size());
-        geometry.subset_materials.push_back(subset.materialId);
+        const auto slot = static_cast<std::int32_t>(materials.size());
+        materials.push_back(subset.materialId);
         for (const int face : subset.indices.AsConst()) {
             if (face >= 0 && static_cast<std::size_t>(face) < faces.size()) {
                 faces[static_cast<std::size_t>(face)] = slot;
@@ -68,6 +68,7 @@ void set_subsets(Warnings& warnings, const HdMeshTopology& source, const Topolog
         }
     }
     mesh.face_materials = topology.kept_of_faces(faces);
+    return materials;
 }
 
 }  // namespace
@@ -92,10 +93,12 @@ std::shared_ptr<const Geometry> read_mesh_geometry(Warnings& warnings, HdSceneDe
     mesh.face_vertex_indices = topology.kept_of_corners(topology.indices);
     mesh.left_handed = source.GetOrientation() == HdTokens->leftHanded;
     set_normals(warnings, path, source.GetScheme(), primvars, topology, mesh);
-    auto geometry = std::make_shared<Geometry>();
-    set_subsets(warnings, source, topology, *geometry, mesh);
-    geometry->coordinates = read_coordinates(warnings, path, primvars, topology, mesh.points.size());
-    geometry->desc = std::move(mesh);
+    std::vector<SdfPath> subset_materials = set_subsets(warnings, source, topology, mesh);
+    auto coordinates = read_coordinates(warnings, path, primvars, topology, mesh.points.size());
+    auto geometry = std::make_shared<Geometry>(std::move(mesh));
+    geometry->coordinates = std::move(coordinates);
+    geometry->subset_materials = std::move(subset_materials);
+    geometry->faces = topology.kept_faces();
     return geometry;
 }
 

@@ -43,6 +43,13 @@ void drop_thin_faces(Warnings& warnings, const SdfPath& path, Topology& topology
 
 }  // namespace
 
+std::vector<std::int32_t> Topology::kept_faces() const {
+    if (std::find(kept.begin(), kept.end(), false) == kept.end()) return {};
+    std::vector<std::int32_t> all(counts.size());
+    std::iota(all.begin(), all.end(), 0);
+    return kept_of_faces(all);
+}
+
 TopologyRead read_topology(Warnings& warnings, const SdfPath& path, const HdMeshTopology& source,
                            std::size_t point_count) {
     TopologyRead read;

@@ -22,6 +22,8 @@ struct Topology {
     [[nodiscard]] std::vector<T> kept_of_faces(const std::vector<T>& values) const;
     template <class T>
     [[nodiscard]] std::vector<T> kept_of_corners(const std::vector<T>& values) const;
+    /// The numbers of kept faces; empty when all are kept.
+    [[nodiscard]] std::vector<std::int32_t> kept_faces() const;
 };
 
 /// Checks the topology against the number of points; faces of fewer than three corners, holes and invisible faces are

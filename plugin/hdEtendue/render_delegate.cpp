@@ -94,12 +94,13 @@ bool RenderDelegate::IsStopped() const {
     return stopped;
 }
 
-bool RenderDelegate::Stop(bool /*blocking*/) {
-    param_.renderers().for_each([](Renderer& renderer) { renderer.stop(); });
+bool RenderDelegate::Stop(bool blocking) {
+    param_.renderers().for_each([blocking](Renderer& renderer) { renderer.stop(blocking); });
     return true;
 }
 
 bool RenderDelegate::Restart() {
+    param_.renderers().for_each([](Renderer& renderer) { renderer.forget(); });
     param_.store().touch();
     return true;
 }

@@ -1,5 +1,6 @@
 #include "render_pass.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -55,9 +56,9 @@ void RenderPass::_Execute(const HdRenderPassStateSharedPtr& state, const TfToken
         request_ = std::move(request);
         start(request_);
     }
-    if (const std::optional<RenderedImage> image = renderer_.fresh_image()) {
-        show(*image);
-        if (renderer_.is_finished()) write(*image);
+    if (const std::optional<RenderView> fresh = renderer_.fresh_view()) {
+        show(*fresh);
+        if (renderer_.is_finished()) write(fresh->image);
     }
     converged_ = renderer_.is_finished();
     for (const Target& target : targets_) target.buffer->set_converged(converged_);
@@ -69,22 +70,25 @@ RenderPass::Request RenderPass::read_request(const HdRenderPassState& state, con
     request.settings_version = param_.delegate().GetRenderSettingsVersion();
     request.view = read_view(state);
     request.selection = {render_tags, GetRprimCollection().GetRootPaths(), GetRprimCollection().GetExcludePaths()};
-    request.aovs = needed_aovs(state.GetAovBindings());
+    const HdRenderPassAovBindingVector& bindings = state.GetAovBindings();
+    request.aovs = needed_aovs(bindings);
+    request.identify = std::any_of(bindings.begin(), bindings.end(), [](const HdRenderPassAovBinding& binding) {
+        return is_identifier(binding.aovName);
+    });
     if (!output_file(param_.delegate()).empty()) request.aovs.insert(std::begin(kAllAovs), std::end(kAllAovs));
     return request;
 }
 
 void RenderPass::start(const Request& request) {
-    renderer_.stop();  // before the new scene is built: two would be in memory at once
-    SceneDescription scene = assemble(param_.store().contents(), request.selection, param_.warnings());
-    scene.cameras.push_back(request.view.camera);
+    Assembled assembled = assemble(param_.store().contents(), request.selection, param_.warnings());
+    assembled.scene.cameras.push_back(request.view.camera);
     RenderSettings settings = render_settings(param_.delegate());
     settings.width = request.view.width;
     settings.height = request.view.height;
     settings.crop = request.view.window;
     settings.conform = request.view.conform;
     settings.aovs.assign(request.aovs.begin(), request.aovs.end());
-    renderer_.start(scene, settings);
+    renderer_.start({std::move(assembled.scene), settings, std::move(assembled.prims), request.identify});
 }
 
 void RenderPass::clear(const HdRenderPassAovBindingVector& bindings) const {
@@ -93,8 +97,8 @@ void RenderPass::clear(const HdRenderPassAovBindingVector& bindings) const {
     }
 }
 
-void RenderPass::show(const RenderedImage& image) const {
-    for (const Target& target : targets_) write_aov(target.aov, image, request_.view, *target.buffer);
+void RenderPass::show(const RenderView& fresh) const {
+    for (const Target& target : targets_) write_aov(target.aov, fresh, request_.view, *target.buffer);
 }
 
 void RenderPass::write(const RenderedImage& image) const {

@@ -37,6 +37,7 @@ private:
         View view;
         Selection selection;
         std::set<Aov> aovs;
+        bool identify = false;
 
         [[nodiscard]] bool operator==(const Request&) const = default;
     };
@@ -52,7 +53,7 @@ private:
     [[nodiscard]] Request read_request(const HdRenderPassState& state, const TfTokenVector& render_tags) const;
     void start(const Request& request);
     void clear(const HdRenderPassAovBindingVector& bindings) const;
-    void show(const RenderedImage& image) const;
+    void show(const RenderView& fresh) const;
     void write(const RenderedImage& image) const;
 
     RenderParam& param_;

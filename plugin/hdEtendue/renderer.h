@@ -2,32 +2,59 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <thread>
 
 #include <etendue/render_session.h>
 
+#include "identifiers.h"
 #include "usd.h"
 
 namespace etendue::hydra {
 
-/// One picture in the making. A failure is told once, as a runtime error of USD's, and ends the picture. The host's
-/// thread starts it and takes pictures; any thread may ask how far it is.
+/// What to render.
+struct RenderJob {
+    SceneDescription scene;
+    RenderSettings settings;
+    PrimTable prims;
+    bool identify = false;  ///< whether anybody asks which prims the pixels show
+};
+
+/// What there is to show of a render.
+struct RenderView {
+    RenderedImage image;
+    std::shared_ptr<const Identifiers> identifiers;  ///< null unless asked for
+};
+
+/// One picture in the making. Scenes are built and rendered in the background, and what an edit leaves alone is not
+/// built again. A failure is told once, as a runtime error of USD's, on the thread that asks for the picture.
 class Renderer {
 public:
-    /// Starts anew; what was being rendered is dropped.
-    void start(const SceneDescription& scene, const RenderSettings& settings);
-    /// Ends rendering; what has been shown stays.
-    void stop();
+    Renderer();
+    /// Waits for what is being built.
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Begins anew and returns at once; what was being rendered is dropped, and what was waiting, too.
+    void start(RenderJob job);
+    /// Ends rendering; what has been shown stays. `wait`: returns once no thread works at it.
+    void stop(bool wait);
+    /// The next start() builds everything, and reads every file.
+    void forget();
     /// Holds this render, and those started while held, or lets them go on.
     void set_paused(bool paused);
     [[nodiscard]] bool is_paused() const { return paused_; }
 
     /// The picture so far when it is worth another look: a pass more than last time, or a while later. Waits a moment
     /// for it, so that a host that asks in a loop leaves the processor to the render. Empty otherwise.
-    [[nodiscard]] std::optional<RenderedImage> fresh_image();
-    /// Whether the last fresh_image() was the last there is.
+    [[nodiscard]] std::optional<RenderView> fresh_view();
+    /// Whether the last fresh_view() was the last there is.
     [[nodiscard]] bool is_finished() const { return finished_; }
 
     struct Status {
@@ -38,17 +65,35 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+    /// A session with what belongs to it.
+    struct Build {
+        RenderSession session;
+        std::shared_ptr<const Identifiers> identifiers;
+    };
 
-    [[nodiscard]] bool ended();
-    void fail(const std::exception& error);
+    void work();
+    [[nodiscard]] std::shared_ptr<Build> build(const RenderJob& job, const Build* before, std::string& failure) const;
+    void begin(std::shared_ptr<Build> next, std::string failure);
+    [[nodiscard]] std::shared_ptr<Build> wait_for_build();
+    [[nodiscard]] bool has_ended(RenderSession& session);
+    void fail(const std::string& why);
 
-    mutable std::mutex mutex_;  ///< guards what other threads read: the session and the statistics
-    std::unique_ptr<RenderSession> session_;
+    mutable std::mutex mutex_;  ///< guards all that is not atomic, but for what fresh_view() alone uses
+    std::condition_variable changed_;
+    std::optional<RenderJob> waiting_;
+    std::uint64_t request_ = 0;  ///< grows with every start and stop
+    bool building_ = false;
+    bool rebuild_ = false;  ///< the next one, from nothing
+    bool quit_ = false;
+    std::shared_ptr<Build> built_;  ///< what is rendered, or the last that was
+    bool current_ = false;          ///< whether that is what start() asked for
+    std::string failure_;           ///< why there is nothing to render
     RenderStatistics statistics_;
     std::atomic<bool> finished_{true};
     std::atomic<bool> paused_{false};
     std::int64_t shown_passes_ = -1;
     Clock::time_point shown_at_;
+    std::thread worker_;  ///< the last: it uses the others
 };
 
 }  // namespace etendue::hydra

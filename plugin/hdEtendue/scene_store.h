@@ -18,24 +18,10 @@
 #include <pxr/imaging/hd/material.h>
 #include <pxr/usd/sdf/path.h>
 
+#include "geometry.h"
 #include "usd.h"
 
 namespace etendue::hydra {
-
-/// Texture coordinates as one primvar has them.
-struct TextureCoordinates {
-    std::vector<Float2> values;
-    Interpolation interpolation = Interpolation::Vertex;
-};
-
-/// The heavy part of a shape, shared between edits that leave it alone. A mesh comes without texture coordinates: which
-/// ones it needs, its material says, which may change later.
-struct Geometry {
-    GeometryDesc desc;
-    std::map<std::string, TextureCoordinates> coordinates;
-    /// What MeshDesc::face_materials index; the first stands for the material of the whole prim.
-    std::vector<SdfPath> subset_materials;
-};
 
 /// How a mesh light and its material go together (UsdLux's materialSyncMode).
 enum class MaterialSync { NoResponse, GlowTintsLight, Independent };
@@ -47,6 +33,7 @@ struct MeshLight {
 };
 
 struct ShapeRecord {
+    int prim_id = -1;                          ///< Hydra's, for picking
     std::shared_ptr<const Geometry> geometry;  ///< null: nothing that can be rendered
     SdfPath material;                          ///< empty: displayColor
     std::optional<Color> display_color;

@@ -54,6 +54,7 @@ double mean_opacity(Warnings& warnings, const SdfPath& path, const VtValue& valu
 
 void sync_shape(HdSceneDelegate& delegate, HdRprim& rprim, HdDirtyBits bits, ShapeRecord& record) {
     const SdfPath& path = rprim.GetId();
+    record.prim_id = rprim.GetPrimId();
     if (HdChangeTracker::IsTransformDirty(bits, path)) record.transform = delegate.GetTransform(path);
     if (bits & HdChangeTracker::DirtyMaterialId) {
         rprim.SetMaterialId(delegate.GetMaterialId(path));

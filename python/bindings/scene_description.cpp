@@ -312,6 +312,16 @@ void def_items(py::class_<SceneDescription>& scene, const char* name, const char
         py::arg("item"));
 }
 
+std::vector<GeometryDesc> copy_geometries(const SceneDescription& scene) {
+    std::vector<GeometryDesc> copies;
+    for (const SharedGeometry& geometry : scene.geometries) copies.push_back(*geometry);
+    return copies;
+}
+
+void set_geometries(SceneDescription& scene, std::vector<GeometryDesc> geometries) {
+    scene.geometries.assign(std::move_iterator(geometries.begin()), std::move_iterator(geometries.end()));
+}
+
 void add_instances(SceneDescription& scene, const std::string& name, int group, const DoubleArray& matrices) {
     if (matrices.ndim() != 3 || matrices.shape(1) != 4 || matrices.shape(2) != 4) {
         throw py::value_error("expected matrices of shape (n, 4, 4)");
@@ -332,7 +342,14 @@ void bind_scene(py::module_& module) {
     scene.def(py::init<>()).def_readwrite("source", &SceneDescription::source);
     def_items(scene, "textures", "add_texture", &SceneDescription::textures);
     def_items(scene, "materials", "add_material", &SceneDescription::materials);
-    def_items(scene, "geometries", "add_geometry", &SceneDescription::geometries);
+    scene.def_property("geometries", &copy_geometries, &set_geometries);
+    scene.def(
+        "add_geometry",
+        [](SceneDescription& self, GeometryDesc item) {
+            self.geometries.emplace_back(std::move(item));
+            return static_cast<int>(self.geometries.size()) - 1;
+        },
+        py::arg("item"));
     def_items(scene, "shapes", "add_shape", &SceneDescription::shapes);
     def_items(scene, "groups", "add_group", &SceneDescription::groups);
     def_items(scene, "instances", "add_instance", &SceneDescription::instances);

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <etendue/export.h>
 #include <etendue/film_view.h>
+#include <etendue/picked_surface.h>
 #include <etendue/render_settings.h>
 #include <etendue/scene_description.h>
 
@@ -25,8 +27,11 @@ using ProgressCallback = std::function<void(const RenderProgress&)>;
 /// All members may be called from any thread; the callback must not call wait().
 class ETENDUE_EXPORT RenderSession {
 public:
-    /// Builds the scene. Throws SceneError, SettingsError, FileError.
-    RenderSession(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback = {});
+    /// Builds the scene. Throws SceneError, SettingsError, FileError. Takes over from `before`, which may be rendering,
+    /// what it has built alike: the same SharedGeometry in the same place, the acceleration structure if all of them
+    /// are, and the textures if none has changed (files are not looked at again). The picture is the same without.
+    RenderSession(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback = {},
+                  const RenderSession* before = nullptr);
     /// Cancels and waits.
     ~RenderSession();
     RenderSession(RenderSession&&) noexcept;
@@ -46,6 +51,10 @@ public:
     [[nodiscard]] RenderProgress progress() const;
     /// The picture so far; usable while rendering.
     [[nodiscard]] RenderedImage snapshot() const;
+
+    /// The nearest surface behind a point of the full image (pixels, row 0 on top, centres at .5), as the middle of the
+    /// lens sees it.
+    [[nodiscard]] std::optional<PickedSurface> pick(double x, double y) const;
 
 private:
     class Impl;

@@ -6,9 +6,13 @@
 /// Rec.709 unless the translator says otherwise), radiance in nits (luminance of white = 1).
 
 #include <array>
+#include <concepts>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -21,6 +25,8 @@ using Color = std::array<double, 3>;
 /// Affine transform of column vectors, row-major: p' = M p (USD's matrices are the transpose of this).
 struct Matrix4 {
     std::array<double, 16> m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+    [[nodiscard]] bool operator==(const Matrix4&) const = default;
 };
 
 // ---------------------------------------------------------------------------------------------------- textures
@@ -42,6 +48,8 @@ struct TextureDesc {
     /// Rows of the affine map applied to st before the lookup: s' = m[0] s + m[1] t + m[2], t' = m[3] s + m[4] t +
     /// m[5].
     std::array<double, 6> st_transform{1, 0, 0, 0, 1, 0};
+
+    [[nodiscard]] bool operator==(const TextureDesc&) const = default;
 };
 
 /// A constant, or the rgb of `textures[texture]` when texture >= 0.
@@ -189,6 +197,23 @@ struct PlaneDesc {
 
 using GeometryDesc = std::variant<MeshDesc, SphereDesc, CubeDesc, CylinderDesc, ConeDesc, CapsuleDesc, PlaneDesc>;
 
+/// A geometry that any number of descriptions may share. Copies are the same geometry: a render that follows another
+/// one takes over what has been built of it.
+class SharedGeometry {
+public:
+    template <typename Kind>
+        requires(std::constructible_from<GeometryDesc, Kind> &&
+                 !std::same_as<std::remove_cvref_t<Kind>, SharedGeometry>)
+    SharedGeometry(Kind&& desc)  // NOLINT(google-explicit-constructor): it stands for its description
+        : desc_(std::make_shared<const GeometryDesc>(std::forward<Kind>(desc))) {}
+
+    [[nodiscard]] const GeometryDesc& operator*() const { return *desc_; }
+    [[nodiscard]] const std::shared_ptr<const GeometryDesc>& pointer() const { return desc_; }
+
+private:
+    std::shared_ptr<const GeometryDesc> desc_;
+};
+
 struct ShapeDesc {
     std::string name;  ///< prim path
     int geometry = -1;
@@ -280,7 +305,7 @@ struct SceneDescription {
     std::string source;  ///< file the scene came from, for messages; may be empty
     std::vector<TextureDesc> textures;
     std::vector<MaterialDesc> materials;
-    std::vector<GeometryDesc> geometries;
+    std::vector<SharedGeometry> geometries;
     std::vector<ShapeDesc> shapes;
     std::vector<GroupDesc> groups;
     std::vector<InstanceDesc> instances;

@@ -21,10 +21,15 @@ struct AccelInput {
     struct Instance {
         std::size_t group;
         Transform world_from_group;
+
+        [[nodiscard]] bool operator==(const Instance&) const = default;
     };
     std::vector<const PlacedGeometry*> top;
     std::vector<std::vector<const PlacedGeometry*>> groups;
     std::vector<Instance> instances;
+
+    /// The same geometry, by address, in the same places.
+    [[nodiscard]] bool operator==(const AccelInput&) const = default;
 };
 
 inline constexpr std::uint32_t kNoInstance = 0xffffffff;

@@ -37,6 +37,8 @@ struct Quadric {
         Vec3 upper;
     };
     [[nodiscard]] Bounds bounds() const;
+
+    [[nodiscard]] bool operator==(const Quadric&) const = default;
 };
 
 }  // namespace etendue

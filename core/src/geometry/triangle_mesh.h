@@ -28,6 +28,8 @@ struct TriangleMesh {
     /// -1 when the winding gives the inward normal (left-handed, or mirrored by the transform, but not both).
     double outward = 1;
 
+    [[nodiscard]] bool operator==(const TriangleMesh&) const = default;
+
     [[nodiscard]] std::size_t point_count() const { return points.size() - 1; }
     [[nodiscard]] Vec3 point(std::size_t triangle, std::size_t corner) const {
         return Vec3{points[triangles[triangle][corner]]};

@@ -35,6 +35,7 @@ public:
     [[nodiscard]] std::array<float, 12> to_float3x4() const;
 
     friend Transform operator*(const Transform& c_from_b, const Transform& b_from_a);
+    [[nodiscard]] bool operator==(const Transform&) const = default;
 
 private:
     using Rows = std::array<Vec3, 3>;

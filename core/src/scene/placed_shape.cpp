@@ -8,6 +8,7 @@
 #include <etendue/error.h>
 
 #include "geometry/tessellate.h"
+#include "scene/known_geometry.h"
 
 namespace etendue {
 namespace {
@@ -70,7 +71,7 @@ PlacedGeometry place_geometry(const GeometryDesc& desc, const Transform& parent_
         desc);
 }
 
-Transform placement(const ShapeDesc& shape) {
+Transform transform_of(const ShapeDesc& shape) {
     try {
         return Transform(shape.parent_from_object);
     } catch (const SceneError& error) {
@@ -90,14 +91,20 @@ bool is_emissive(const ShapeDesc& shape, const SceneDescription& scene) {
     });
 }
 
-PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh) {
+PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh, const KnownGeometry& known) {
     check_indices(shape, scene);
-    const GeometryDesc& geometry = scene.geometries[static_cast<std::size_t>(shape.geometry)];
+    const SharedGeometry& geometry = scene.geometries[static_cast<std::size_t>(shape.geometry)];
+    const bool triangles = as_mesh || is_emissive(shape, scene);
+    const Placement placement{geometry.pointer(), shape.parent_from_object, triangles};
     PlacedShape placed;
     placed.name = shape.name;
     placed.materials = shape.materials;
-    placed.geometry = std::make_unique<PlacedGeometry>(
-        place_geometry(geometry, placement(shape), shape.name, as_mesh || is_emissive(shape, scene)));
+    placed.placement = placement;
+    placed.geometry = known.find(placement);
+    if (!placed.geometry) {
+        placed.geometry = std::make_shared<const PlacedGeometry>(
+            place_geometry(*geometry, transform_of(shape), shape.name, triangles));
+    }
     if (const auto* mesh = std::get_if<TriangleMesh>(placed.geometry.get())) check_slots(*mesh, shape);
     return placed;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,17 +12,28 @@
 
 namespace etendue {
 
+class KnownGeometry;
+
+/// All that geometry in place depends on. Keeps no description alive.
+struct Placement {
+    std::weak_ptr<const GeometryDesc> geometry;
+    Matrix4 parent_from_object;
+    bool as_mesh = false;
+};
+
 /// A shape ready to be traced, in world space or in its group's.
 struct PlacedShape {
     std::string name;
-    std::unique_ptr<PlacedGeometry> geometry;  ///< its address is given to the accelerator
-    std::vector<int> materials;                ///< by slot
-    std::vector<int> lights;                   ///< by slot, -1: none; empty: none at all (instanced: see Scene)
+    std::optional<Placement> placement;              ///< empty: a light's own shape
+    std::shared_ptr<const PlacedGeometry> geometry;  ///< its address is given to the accelerator
+    std::vector<int> materials;                      ///< by slot
+    std::vector<int> lights;                         ///< by slot, -1: none; empty: none at all (instanced: see Scene)
 };
 
-/// Checks and places one shape. `as_mesh` asks for triangles even where an exact surface exists. Throws SceneError
-/// naming the shape.
-[[nodiscard]] PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh);
+/// Checks and places one shape. `as_mesh` asks for triangles even where an exact surface exists. Takes over what
+/// is known. Throws SceneError naming the shape.
+[[nodiscard]] PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh,
+                                      const KnownGeometry& known);
 
 /// Whether any slot's material emits.
 [[nodiscard]] bool is_emissive(const ShapeDesc& shape, const SceneDescription& scene);

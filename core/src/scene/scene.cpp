@@ -13,6 +13,7 @@
 #include "scene/casters.h"
 #include "scene/check_material.h"
 #include "scene/interaction.h"
+#include "scene/known_geometry.h"
 #include "scene/light_triangles.h"
 #include "scene/material_glow.h"
 #include "scene/media_probe.h"
@@ -65,13 +66,16 @@ std::vector<TextureDesc> all_textures(const SceneDescription& description) {
 
 }  // namespace
 
-Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths)
-    : textures_(all_textures(description)), materials_(description.materials), absorption_(materials_) {
+Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths,
+             const Scene* before)
+    : materials_(description.materials), absorption_(materials_) {
+    make_textures(all_textures(description), before);
     for (const MaterialDesc& material : materials_) check_material(material, description.textures.size());
-    place_shapes(description);
+    const KnownGeometry known = before != nullptr ? before->known_geometry() : KnownGeometry{};
+    place_shapes(description, known);
     place_instances(description);
-    place_light_shapes(description);
-    build_accel();
+    place_light_shapes(description, known);
+    build_accel(before);
     const SceneBounds bounds = find_bounds(lens_points);
     make_lights(description, bounds);
     make_emissive_lights();
@@ -82,14 +86,28 @@ Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_
     if (light_paths) emission_ = EmissionAim(cluster(find_casters(), EmissionAim::kMostTargets));
 }
 
-void Scene::place_shapes(const SceneDescription& description) {
+void Scene::make_textures(std::vector<TextureDesc> descs, const Scene* before) {
+    const bool same = before != nullptr && before->texture_descs_ == descs;
+    textures_ = same ? before->textures_ : std::make_shared<const TextureSet>(descs);
+    texture_descs_ = std::move(descs);
+}
+
+KnownGeometry Scene::known_geometry() const {
+    KnownGeometry known;
+    known.add(shapes_);
+    for (const auto& group : groups_) known.add(group);
+    known.sort();
+    return known;
+}
+
+void Scene::place_shapes(const SceneDescription& description, const KnownGeometry& known) {
     const std::vector<int> light_of_shape = mesh_light_shapes(description);
     for (std::size_t i = 0; i < description.shapes.size(); ++i) {
-        shapes_.push_back(place_shape(description.shapes[i], description, light_of_shape[i] >= 0));
+        shapes_.push_back(place_shape(description.shapes[i], description, light_of_shape[i] >= 0, known));
     }
     for (const GroupDesc& group : description.groups) {
         std::vector<PlacedShape> shapes;
-        for (const ShapeDesc& shape : group.shapes) shapes.push_back(place_shape(shape, description, false));
+        for (const ShapeDesc& shape : group.shapes) shapes.push_back(place_shape(shape, description, false, known));
         groups_.push_back(std::move(shapes));
     }
 }
@@ -103,25 +121,32 @@ void Scene::place_instances(const SceneDescription& description) {
     }
 }
 
-void Scene::place_light_shapes(const SceneDescription& description) {
+void Scene::place_light_shapes(const SceneDescription& description, const KnownGeometry& known) {
+    std::size_t number = 0;
     for (std::size_t i = 0; i < description.lights.size(); ++i) {
         std::optional<LightShape> shape = make_light_shape(description.lights[i]);
         if (!shape) continue;
         PlacedShape placed;
         placed.name = description.lights[i].name;
-        placed.geometry = std::make_unique<PlacedGeometry>(std::move(*shape));
+        placed.geometry = known.light_shape(number++, std::move(*shape));
         placed.materials = {-1};
         placed.lights = {static_cast<int>(i)};
         shapes_.push_back(std::move(placed));
     }
 }
 
-void Scene::build_accel() {
+AccelInput Scene::accel_input() const {
     AccelInput input;
     input.top = geometries(shapes_);
     for (const auto& group : groups_) input.groups.push_back(geometries(group));
     for (const Instance& instance : instances_) input.instances.push_back({instance.group, instance.world_from_group});
-    accel_ = std::make_unique<EmbreeAccel>(input);
+    return input;
+}
+
+void Scene::build_accel(const Scene* before) {
+    const AccelInput input = accel_input();
+    const bool same = before != nullptr && before->accel_input() == input;
+    accel_ = same ? before->accel_ : std::make_shared<const EmbreeAccel>(input);
 }
 
 SceneBounds Scene::find_bounds(const std::vector<Vec3>& lens_points) const {
@@ -148,7 +173,7 @@ void Scene::make_lights(const SceneDescription& description, const SceneBounds& 
         if (desc.kind != LightKind::Mesh) {
             const bool textured = lux_texture(desc).has_value();
             add_light(make_light(desc, bounds,
-                                 textured ? std::make_shared<TextureImage>(textures_, next_texture++) : nullptr));
+                                 textured ? std::make_shared<TextureImage>(*textures_, next_texture++) : nullptr));
             continue;
         }
         PlacedShape& shape = shapes_[static_cast<std::size_t>(desc.shape)];
@@ -174,7 +199,7 @@ void Scene::make_lights(const SceneDescription& description, const SceneBounds& 
 std::unique_ptr<Light> Scene::make_tinted_light(const LightDesc& desc, const PlacedShape& shape,
                                                 std::size_t slot) const {
     const auto& mesh = std::get<TriangleMesh>(*shape.geometry);
-    auto glow = std::make_shared<MaterialGlow>(materials_[static_cast<std::size_t>(shape.materials[slot])], textures_);
+    auto glow = std::make_shared<MaterialGlow>(materials_[static_cast<std::size_t>(shape.materials[slot])], *textures_);
     return make_mesh_light(desc, light_triangles(mesh, static_cast<int>(slot), {}), std::move(glow),
                            MeshLight::world_area(light_triangles(mesh, -1, {})));
 }
@@ -192,8 +217,8 @@ std::vector<int> Scene::make_slot_lights(const PlacedShape& shape, const Transfo
         if (!(MeshLight::world_area(triangles) > 0)) continue;
         const bool textured = material.emission.texture >= 0;
         lights[slot] = add_light(std::make_unique<MeshLight>(
-            std::move(triangles), textured ? Rgb(1) : material_emission(material, textures_, {}),
-            textured ? std::make_shared<MaterialGlow>(material, textures_) : nullptr));
+            std::move(triangles), textured ? Rgb(1) : material_emission(material, *textures_, {}),
+            textured ? std::make_shared<MaterialGlow>(material, *textures_) : nullptr));
     }
     return lights;
 }
@@ -220,7 +245,7 @@ void Scene::make_emissive_lights() {
 
 std::vector<Sphere> Scene::find_casters() const {
     std::vector<bool> focusing;
-    for (const MaterialDesc& material : materials_) focusing.push_back(focuses(material, textures_));
+    for (const MaterialDesc& material : materials_) focusing.push_back(focuses(material, *textures_));
     std::vector<Sphere> casters = etendue::find_casters(shapes_, focusing);
     std::vector<std::vector<Sphere>> of_group;
     for (const auto& group : groups_) of_group.push_back(etendue::find_casters(group, focusing));
@@ -257,6 +282,17 @@ std::optional<SurfaceInteraction> Scene::intersect(const Ray& ray) const {
     return si;
 }
 
+std::optional<PickedSurface> Scene::pick(const Ray& ray) const {
+    const std::optional<AccelHit> hit = accel_->intersect(ray);
+    if (!hit) return {};
+    PickedSurface picked;
+    const bool instanced = hit->instance != kNoInstance;
+    if (instanced) picked.instance = static_cast<int>(hit->instance);
+    if (instanced || shapes_[hit->geometry].placement) picked.shape = static_cast<int>(hit->geometry);
+    picked.triangle = static_cast<int>(hit->primitive);
+    return picked;
+}
+
 bool Scene::visible(const RayEnd& a, const RayEnd& b) const {
     const Vec3 d = b.p - a.p;
     const Vec3 from = offset_origin(a.p, a.p_error, a.n_g, d);
@@ -273,12 +309,12 @@ bool Scene::sees_infinity(const RayEnd& a, const Vec3& direction) const {
 
 Vec3 Scene::shading_normal(const SurfaceInteraction& si) const {
     if (!scatters(si)) return si.n_s;
-    return etendue::shading_normal(materials_[static_cast<std::size_t>(si.material)], textures_, si);
+    return etendue::shading_normal(materials_[static_cast<std::size_t>(si.material)], *textures_, si);
 }
 
 Rgb Scene::albedo(const SurfaceInteraction& si) const {
     if (!scatters(si)) return {};
-    return material_albedo(materials_[static_cast<std::size_t>(si.material)], textures_, si.st);
+    return material_albedo(materials_[static_cast<std::size_t>(si.material)], *textures_, si.st);
 }
 
 }  // namespace etendue

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include <etendue/picked_surface.h>
 #include <etendue/scene_description.h>
 
 #include "accel/embree_accel.h"
@@ -35,13 +36,16 @@ class Scene {
 public:
     /// `lens_points` are positions that light must be able to reach besides the geometry (cameras with a lens). Without
     /// `light_paths` nobody will ask where these had best go, and emission() is each light's own. Throws SceneError or
-    /// FileError naming the prim or file.
-    Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths = true);
+    /// FileError naming the prim or file. Takes over what an earlier scene, `before`, has built alike.
+    Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths = true,
+          const Scene* before = nullptr);
     // Lights refer to the textures and materials in here.
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
     [[nodiscard]] std::optional<SurfaceInteraction> intersect(const Ray& ray) const;
+    /// Which surface that is.
+    [[nodiscard]] std::optional<PickedSurface> pick(const Ray& ray) const;
     [[nodiscard]] bool visible(const RayEnd& a, const RayEnd& b) const;
     /// Whether nothing lies from `a` along the unit `direction`.
     [[nodiscard]] bool sees_infinity(const RayEnd& a, const Vec3& direction) const;
@@ -50,7 +54,7 @@ public:
     [[nodiscard]] static bool scatters(const SurfaceInteraction& si) { return si.material >= 0; }
     /// Needs scatters(si).
     [[nodiscard]] Bsdf bsdf(const SurfaceInteraction& si) const {
-        return make_bsdf(materials_[static_cast<std::size_t>(si.material)], textures_, si);
+        return make_bsdf(materials_[static_cast<std::size_t>(si.material)], *textures_, si);
     }
     [[nodiscard]] Rgb albedo(const SurfaceInteraction& si) const;
     /// What the surface shades with: n_s, with the material's normal map if it has one.
@@ -79,10 +83,13 @@ private:
         std::vector<std::vector<int>> lights;  ///< [shape][slot]; empty: none
     };
 
-    void place_shapes(const SceneDescription& description);
+    void make_textures(std::vector<TextureDesc> descs, const Scene* before);
+    void place_shapes(const SceneDescription& description, const KnownGeometry& known);
     void place_instances(const SceneDescription& description);
-    void place_light_shapes(const SceneDescription& description);
-    void build_accel();
+    void place_light_shapes(const SceneDescription& description, const KnownGeometry& known);
+    [[nodiscard]] KnownGeometry known_geometry() const;
+    [[nodiscard]] AccelInput accel_input() const;
+    void build_accel(const Scene* before);
     [[nodiscard]] SceneBounds find_bounds(const std::vector<Vec3>& lens_points) const;
     void make_lights(const SceneDescription& description, const SceneBounds& bounds);
     /// A mesh light's part in one material slot, tinted by that slot's material.
@@ -93,7 +100,8 @@ private:
     int add_light(std::unique_ptr<Light> light);
     [[nodiscard]] std::vector<Sphere> find_casters() const;
 
-    TextureSet textures_;
+    std::vector<TextureDesc> texture_descs_;
+    std::shared_ptr<const TextureSet> textures_;
     std::vector<MaterialDesc> materials_;
     Absorption absorption_;
     std::vector<Media> light_media_;   ///< empty when nothing absorbs
@@ -104,7 +112,7 @@ private:
     std::vector<int> infinite_lights_;
     std::unique_ptr<LightSampler> light_sampler_;
     EmissionAim emission_;
-    std::unique_ptr<EmbreeAccel> accel_;
+    std::shared_ptr<const EmbreeAccel> accel_;
 };
 
 }  // namespace etendue

@@ -53,12 +53,13 @@ int thread_count(const RenderSettings& settings) {
 
 class RenderSession::Impl {
 public:
-    Impl(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback)
+    Impl(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback, const Impl* before)
         : settings_(settings),
           callback_(std::move(callback)),
           camera_(make_camera(scene, settings_)),
           arena_(thread_count(settings_)),
-          scene_(scene, lens_points(camera_), traces_light_paths(settings_)),
+          scene_(scene, lens_points(camera_), traces_light_paths(settings_),
+                 before != nullptr ? &before->scene_ : nullptr),
           integrator_(make_integrator(make_context(scene_, camera_, settings_))),
           runner_(*integrator_, render_window(settings_)),
           film_(settings_, render_window(settings_), integrator_->image_strategies()) {}
@@ -127,6 +128,11 @@ public:
         const std::lock_guard lock(state_mutex_);
         image.statistics.seconds = seconds();
         return image;
+    }
+
+    [[nodiscard]] std::optional<PickedSurface> pick(double x, double y) const {
+        const CameraRay ray = camera_.generate_ray({x, y}, {0.5, 0.5});
+        return scene_.pick({ray.origin, ray.direction});
     }
 
 private:
@@ -220,8 +226,10 @@ private:
     std::thread thread_;
 };
 
-RenderSession::RenderSession(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback)
-    : impl_(std::make_unique<Impl>(scene, settings, std::move(callback))) {}
+RenderSession::RenderSession(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback,
+                             const RenderSession* before)
+    : impl_(std::make_unique<Impl>(scene, settings, std::move(callback),
+                                   before != nullptr ? before->impl_.get() : nullptr)) {}
 RenderSession::~RenderSession() = default;
 RenderSession::RenderSession(RenderSession&&) noexcept = default;
 RenderSession& RenderSession::operator=(RenderSession&&) noexcept = default;
@@ -233,5 +241,6 @@ void RenderSession::wait() { impl_->wait(); }
 bool RenderSession::wait_for(double seconds) { return impl_->wait_for(seconds); }
 RenderProgress RenderSession::progress() const { return impl_->progress(); }
 RenderedImage RenderSession::snapshot() const { return impl_->snapshot(); }
+std::optional<PickedSurface> RenderSession::pick(double x, double y) const { return impl_->pick(x, y); }
 
 }  // namespace etendue

@@ -38,6 +38,12 @@ std::string error_of(const SceneDescription& description) {
     return "";
 }
 
+void set_face_material(SceneDescription& scene, int material) {
+    MeshDesc mesh = std::get<MeshDesc>(*scene.geometries[0]);
+    mesh.face_materials = {material};
+    scene.geometries[0] = mesh;
+}
+
 struct BadScene {
     std::function<void(SceneDescription&)> spoil;
     const char* prim;
@@ -73,8 +79,8 @@ TEST(SceneError, NamesThePrimOfBadIndices) {
              s.lights[1].name = "/second_light";
          },
          "/second_light", "same shape"},
-        {[](auto& s) { std::get<MeshDesc>(s.geometries[0]).face_materials = {1}; }, "/shape_0", "face material 1"},
-        {[](auto& s) { std::get<MeshDesc>(s.geometries[0]).face_materials = {-1}; }, "/shape_0", "face material -1"},
+        {[](auto& s) { set_face_material(s, 1); }, "/shape_0", "face material 1"},
+        {[](auto& s) { set_face_material(s, -1); }, "/shape_0", "face material -1"},
     });
 }
 
