@@ -36,3 +36,20 @@ else()
         add_library(Etendue::usd ALIAS etendue_usd)
     endif()
 endif()
+
+# A library that a USD program loads.
+function(etendue_add_usd_module name)
+    add_library(${name} MODULE ${ARGN})
+    etendue_set_compile_options(${name})
+    set_target_properties(${name} PROPERTIES PREFIX "")
+    target_compile_definitions(${name} PRIVATE
+        MFB_PACKAGE_NAME=${name} MFB_ALT_PACKAGE_NAME=${name} MFB_PACKAGE_MODULE=${name}
+    )
+    # USD's own headers use what they deprecate.
+    target_compile_options(${name} PRIVATE -Wno-deprecated)
+    if(ETENDUE_SANITIZE MATCHES "thread")
+        # The sanitizer does not know the fences of VtArray, GCC says.
+        target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-tsan>)
+    endif()
+    target_link_libraries(${name} PRIVATE Etendue::usd)
+endfunction()

@@ -79,7 +79,8 @@ Pixel unit(const GfVec3f& normal) {
 }
 
 Source normal(const RenderView& fresh, const View& /*view*/) {
-    return [n = data_of(fresh.image, Aov::Normal)](std::size_t i) { return unit({n[3 * i], n[3 * i + 1], n[3 * i + 2]}); };
+    return
+        [n = data_of(fresh.image, Aov::Normal)](std::size_t i) { return unit({n[3 * i], n[3 * i + 1], n[3 * i + 2]}); };
 }
 
 Source eye_normal(const RenderView& fresh, const View& view) {

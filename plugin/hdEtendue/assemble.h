@@ -26,7 +26,6 @@ struct Assembled {
 };
 
 /// In the order of paths, so that equal contents give equal scenes.
-[[nodiscard]] Assembled assemble(const SceneStore::Contents& contents, const Selection& selection,
-                                 Warnings& warnings);
+[[nodiscard]] Assembled assemble(const SceneStore::Contents& contents, const Selection& selection, Warnings& warnings);
 
 }  // namespace etendue::hydra

@@ -33,8 +33,8 @@ public:
     /// Which of the authored faces the mesh has; empty: all.
     std::vector<std::int32_t> faces;
 
-    /// With the coordinates of that name; none if it is not one of `coordinates`. One answer is kept, and given again to
-    /// the same question. From any thread.
+    /// With the coordinates of that name; none if it is not one of `coordinates`. One answer is kept, and given again
+    /// to the same question. From any thread.
     [[nodiscard]] SharedGeometry with_coordinates(const std::string& name) const;
     /// With whichever coordinates.
     [[nodiscard]] SharedGeometry shape() const;

@@ -39,8 +39,8 @@ Picture pick(const RenderSession& session, const PixelWindow& window) {
     WorkParallelForN(height, [&](std::size_t first, std::size_t last) {
         for (std::size_t y = first; y < last; ++y) {
             for (std::size_t x = 0; x < width; ++x) {
-                picked[y * width + x] = session.pick(window.x0 + static_cast<double>(x) + 0.5,
-                                                     window.y0 + static_cast<double>(y) + 0.5);
+                picked[y * width + x] =
+                    session.pick(window.x0 + static_cast<double>(x) + 0.5, window.y0 + static_cast<double>(y) + 0.5);
             }
         }
     });

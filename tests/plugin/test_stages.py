@@ -6,34 +6,12 @@ from pathlib import Path
 
 import pytest
 
-import etendue
 from support.hydra_host import SCENE_INDEX, HydraHost
-from support.path_order import open_in_path_order
-from support.same_picture import Picture, assert_same_picture, read_color, rgb
+from support.hydra_stages import NAMES, SAMPLES, WIDTH, first_camera, reference, stage_file
+from support.same_picture import Picture, assert_same_picture, read_color
 
-STAGES = Path(__file__).resolve().parents[2] / "stages"
-NAMES = sorted(file.stem for file in STAGES.glob("*.usda"))
 # Hosts without scene indices do not hand over implicit surfaces and shaders of our own.
 PLAIN = ("bump_plane", "caustic_pool", "cornell_box", "cornell_indirect", "flat_pool")
-WIDTH = 96
-SAMPLES = 8
-
-
-def stage_file(name: str) -> Path:
-    """One of our stages."""
-    return STAGES / f"{name}.usda"
-
-
-def first_camera(name: str) -> str:
-    """Its path."""
-    return etendue.open(stage_file(name)).cameras[0]
-
-
-def reference(name: str, ours: Picture) -> Picture:
-    """The stage reader's picture, of the same size."""
-    size = (ours.shape[1], ours.shape[0])
-    stage = etendue.open(open_in_path_order(stage_file(name)))
-    return rgb(stage.render(camera=first_camera(name), spp=SAMPLES, resolution=size))
 
 
 def recorded(host: HydraHost, name: str, output: Path, **environment: str) -> Picture:

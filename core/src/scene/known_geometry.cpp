@@ -11,9 +11,7 @@ using Description = std::weak_ptr<const GeometryDesc>;
 struct Precedes {
     bool operator()(const PlacedShape* a, const PlacedShape* b) const { return before(a, b->placement->geometry); }
     bool operator()(const PlacedShape* a, const Description& b) const { return before(a, b); }
-    bool operator()(const Description& a, const PlacedShape* b) const {
-        return a.owner_before(b->placement->geometry);
-    }
+    bool operator()(const Description& a, const PlacedShape* b) const { return a.owner_before(b->placement->geometry); }
 
 private:
     static bool before(const PlacedShape* a, const Description& b) { return a->placement->geometry.owner_before(b); }

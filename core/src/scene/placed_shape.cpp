@@ -91,7 +91,8 @@ bool is_emissive(const ShapeDesc& shape, const SceneDescription& scene) {
     });
 }
 
-PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh, const KnownGeometry& known) {
+PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh,
+                        const KnownGeometry& known) {
     check_indices(shape, scene);
     const SharedGeometry& geometry = scene.geometries[static_cast<std::size_t>(shape.geometry)];
     const bool triangles = as_mesh || is_emissive(shape, scene);

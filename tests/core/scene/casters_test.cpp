@@ -8,6 +8,7 @@
 
 #include "math/rng.h"
 #include "math/sampling.h"
+#include "scene/known_geometry.h"
 #include "scene/scene.h"
 #include "support/scene_builder.h"
 
@@ -53,7 +54,7 @@ std::vector<Sphere> casters_of(const ShapeDesc& shape, const SceneDescription& s
     std::vector<bool> focusing;
     for (const MaterialDesc& m : scene.materials) focusing.push_back(focuses(m.model));
     std::vector<PlacedShape> shapes;
-    shapes.push_back(place_shape(shape, scene, false));
+    shapes.push_back(place_shape(shape, scene, false, {}));
     std::vector<Sphere> casters = find_casters(shapes, focusing);
     for (Sphere& caster : casters) caster = transformed(caster, world);
     return casters;
