@@ -16,7 +16,7 @@ namespace {
 
 /// Up to four components of one pixel; `count` 0: no value.
 struct Pixel {
-    std::array<float, 4> components{};
+    std::array<double, 4> components{};
     std::size_t count = 0;
 };
 using Source = std::function<Pixel(std::size_t pixel)>;
@@ -25,7 +25,7 @@ struct Kind {
     HdFormat format;
     VtValue clear;
     std::vector<Aov> sources;
-    /// Needs all of the sources in the image, or the identifiers.
+    /// Needs all of the sources in the image. Empty as long as there are no identifiers.
     Source (*make)(const RenderView& fresh, const View& view);
 };
 
@@ -33,8 +33,9 @@ const float* data_of(const RenderedImage& image, Aov aov) { return image.find(ao
 
 template <std::vector<std::int32_t> Identifiers::* Member>
 Source identifier(const RenderView& fresh, const View& /*view*/) {
+    if (!fresh.identifiers) return {};
     return [ids = (*fresh.identifiers.*Member).data()](std::size_t i) -> Pixel {
-        return {{static_cast<float>(ids[i])}, 1};
+        return {{static_cast<double>(ids[i])}, 1};
     };
 }
 
@@ -68,7 +69,7 @@ Source clip_depth(const RenderView& fresh, const View& view) {
     return [depth = data_of(fresh.image, Aov::Depth), projection = view.projection](std::size_t i) -> Pixel {
         if (!std::isfinite(depth[i])) return {};
         const GfVec3d clip = projection.Transform(GfVec3d(0, 0, -depth[i]));
-        return {{static_cast<float>(clip[2] / 2 + 0.5)}, 1};
+        return {{clip[2] / 2 + 0.5}, 1};
     };
 }
 
@@ -127,6 +128,7 @@ void write_aov(const TfToken& name, const RenderView& fresh, const View& view, R
     const auto kind = kinds().find(name.GetString());
     if (kind == kinds().end()) return;
     const Source source = kind->second.make(fresh, view);
+    if (!source) return;
     const RenderedImage& image = fresh.image;
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {

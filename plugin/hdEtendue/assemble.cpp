@@ -37,6 +37,7 @@ public:
           materials_({out.scene, warnings}, contents.materials) {}
 
     void add(const SdfPath& path, const ShapeRecord& record) {
+        if (!places(path, record.transform)) return;
         ShapeDesc shape = describe(path, record, bind(record));
         if (!record.instanced) {
             scene_.shapes.push_back(std::move(shape));
@@ -48,14 +49,18 @@ public:
         prims_.groups.push_back({record.prim_id, record.geometry});
         int number = 0;
         for (const GfMatrix4d& transform : record.instances.AsConst()) {
-            scene_.instances.push_back({shape.name, static_cast<int>(group), column_matrix(transform)});
-            prims_.instances.push_back({group, number++});
+            if (places(path, transform)) {
+                scene_.instances.push_back({shape.name, static_cast<int>(group), column_matrix(transform)});
+                prims_.instances.push_back({group, number});
+            }
+            ++number;
         }
     }
 
     /// Once for each of its instances: a light is one place in the world.
-    void add_light(const LightRecord& record) {
-        const auto add_at = [this, &record](const GfMatrix4d& transform) {
+    void add_light(const SdfPath& path, const LightRecord& record) {
+        const auto add_at = [&](const GfMatrix4d& transform) {
+            if (!places(path, transform)) return;
             scene_.lights.push_back(record.desc);
             scene_.lights.back().world_from_light = column_matrix(transform);
         };
@@ -66,6 +71,7 @@ public:
     void add_light(const SdfPath& path, const ShapeRecord& record) {
         const ShapeDesc shape = describe(path, record, bind_light(path, record));
         const auto add_at = [&](const GfMatrix4d& transform) {
+            if (!places(path, transform)) return;
             add_light(shape, *record.light, transform);
             prims_.shapes.push_back({record.prim_id, record.geometry});
         };
@@ -74,6 +80,14 @@ public:
     }
 
 private:
+    /// Core refuses a scene for one such matrix; scales of zero are how some hosts hide things.
+    bool places(const SdfPath& path, const GfMatrix4d& transform) {
+        if (is_placement(column_matrix(transform))) return true;
+        warnings_.warn("transform " + path.GetString(), path,
+                       "its transform is singular or not finite; it is left out");
+        return false;
+    }
+
     void add_light(ShapeDesc shape, const MeshLight& light, const GfMatrix4d& transform) {
         LightDesc desc = light.desc;
         desc.shape = static_cast<int>(scene_.shapes.size());
@@ -154,7 +168,7 @@ Assembled assemble(const SceneStore::Contents& contents, const Selection& select
     for (const auto& [path, record] : contents.lights) {
         if (!record.visible) continue;
         add_mesh_lights_before(&path, mesh_lights, assembler);
-        assembler.add_light(record);
+        assembler.add_light(path, record);
     }
     add_mesh_lights_before(nullptr, mesh_lights, assembler);
     return out;

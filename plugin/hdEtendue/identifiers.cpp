@@ -4,7 +4,7 @@
 #include <optional>
 #include <variant>
 
-#include <pxr/base/work/loops.h>
+#include <tbb/parallel_for.h>
 
 namespace etendue::hydra {
 namespace {
@@ -32,16 +32,15 @@ const Shape* shape_of(const PickedSurface& picked, const PrimTable& table) {
 
 using Picture = std::vector<std::optional<PickedSurface>>;
 
-Picture pick(const RenderSession& session, const PixelWindow& window) {
+Picture pick(const RenderSession& session, const PixelWindow& window, const std::function<bool()>& is_stale) {
     const auto width = static_cast<std::size_t>(window.x1 - window.x0);
     const auto height = static_cast<std::size_t>(window.y1 - window.y0);
     Picture picked(width * height);
-    WorkParallelForN(height, [&](std::size_t first, std::size_t last) {
-        for (std::size_t y = first; y < last; ++y) {
-            for (std::size_t x = 0; x < width; ++x) {
-                picked[y * width + x] =
-                    session.pick(window.x0 + static_cast<double>(x) + 0.5, window.y0 + static_cast<double>(y) + 0.5);
-            }
+    tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
+        if (is_stale()) return;
+        for (std::size_t x = 0; x < width; ++x) {
+            picked[y * width + x] =
+                session.pick(window.x0 + static_cast<double>(x) + 0.5, window.y0 + static_cast<double>(y) + 0.5);
         }
     });
     return picked;
@@ -49,8 +48,9 @@ Picture pick(const RenderSession& session, const PixelWindow& window) {
 
 }  // namespace
 
-Identifiers identify(const RenderSession& session, const PixelWindow& window, const PrimTable& table) {
-    const Picture picked = pick(session, window);
+Identifiers identify(const RenderSession& session, const PixelWindow& window, const PrimTable& table,
+                     const std::function<bool()>& is_stale) {
+    const Picture picked = pick(session, window, is_stale);
     std::map<const Geometry*, std::vector<std::int32_t>> faces;
     Identifiers out;
     for (std::vector<std::int32_t>* ids : {&out.prims, &out.instances, &out.elements}) ids->assign(picked.size(), -1);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct Identifiers {
     std::vector<std::int32_t> elements;
 };
 
-/// By what lies behind the centres of the window's pixels.
-[[nodiscard]] Identifiers identify(const RenderSession& session, const PixelWindow& window, const PrimTable& table);
+/// By what lies behind the centres of the window's pixels. Ends early, with nonsense, once `is_stale`.
+[[nodiscard]] Identifiers identify(const RenderSession& session, const PixelWindow& window, const PrimTable& table,
+                                   const std::function<bool()>& is_stale);
 
 }  // namespace etendue::hydra

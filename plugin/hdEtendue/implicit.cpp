@@ -1,7 +1,13 @@
 #include "implicit.h"
 
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <map>
 #include <memory>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 #include <pxr/imaging/hd/changeTracker.h>
 #include <pxr/imaging/hd/dataSource.h>
@@ -73,6 +79,32 @@ GeometryDesc read_solid(const TfToken& type, const Attributes& from) {
     return upright(CapsuleDesc());
 }
 
+/// Why the solid cannot be rendered, empty when it can.
+std::string complaint(const GeometryDesc& solid) {
+    const auto bad = [](std::initializer_list<double> sizes) {
+        return std::any_of(sizes.begin(), sizes.end(), [](double size) { return !(size > 0) || !std::isfinite(size); });
+    };
+    const bool unusable = std::visit(
+        [&bad](const auto& desc) {
+            using Desc = std::decay_t<decltype(desc)>;
+            if constexpr (std::is_same_v<Desc, SphereDesc>)
+                return bad({desc.radius});
+            else if constexpr (std::is_same_v<Desc, CubeDesc>)
+                return bad({desc.size});
+            else if constexpr (std::is_same_v<Desc, PlaneDesc>)
+                return bad({desc.width, desc.length});
+            // A capsule of no height is a sphere.
+            else if constexpr (std::is_same_v<Desc, CapsuleDesc>)
+                return bad({desc.radius, desc.height + desc.radius}) || desc.height < 0;
+            else if constexpr (std::is_same_v<Desc, MeshDesc>)
+                return false;
+            else
+                return bad({desc.radius, desc.height});
+        },
+        solid);
+    return unusable ? "its sizes are not positive" : "";
+}
+
 }  // namespace
 
 const TfTokenVector& Implicit::types() {
@@ -97,13 +129,25 @@ void Implicit::Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits
     _UpdateVisibility(delegate, bits);
     _UpdateInstancer(delegate, bits);
     if (*bits & HdChangeTracker::DirtyPrimvar) {  // Hydra's bit for the attributes, too
-        record_.geometry = std::make_shared<const Geometry>(
-            read_solid(type_, Attributes(*delegate, shared.warnings(), GetId(), type_)));
+        GeometryDesc solid = read_solid(type_, Attributes(*delegate, shared.warnings(), GetId(), type_));
+        record_.geometry = nullptr;
+        if (const std::string reason = complaint(solid); !reason.empty()) {
+            shared.warnings().warn("unusable solid " + GetId().GetString(), GetId(), "it is left out: " + reason);
+        } else {
+            record_.geometry = std::make_shared<const Geometry>(std::move(solid));
+        }
         sync_display(shared.warnings(), GetId(), read_primvars(*delegate, GetId()), record_);
     }
     sync_shape(*delegate, *this, *bits, record_);
     shared.store().set_shape(GetId(), record_);
     *bits &= ~HdChangeTracker::AllSceneDirtyBits;
+}
+
+/// Hydra does not sync prims whose tag nobody shows, but tells all of them their tags.
+void Implicit::UpdateRenderTag(HdSceneDelegate* delegate, HdRenderParam* param) {
+    HdRprim::UpdateRenderTag(delegate, param);
+    record_.render_tag = GetRenderTag();
+    ours(param).store().set_render_tag(GetId(), record_.render_tag);
 }
 
 void Implicit::Finalize(HdRenderParam* param) { ours(param).store().remove_shape(GetId()); }

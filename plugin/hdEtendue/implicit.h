@@ -15,6 +15,7 @@ public:
     [[nodiscard]] HdDirtyBits GetInitialDirtyBitsMask() const override;
     [[nodiscard]] const TfTokenVector& GetBuiltinPrimvarNames() const override;
     void Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits* bits, const TfToken& repr) override;
+    void UpdateRenderTag(HdSceneDelegate* delegate, HdRenderParam* param) override;
     void Finalize(HdRenderParam* param) override;
 
     /// The types of prim that an Implicit can be.

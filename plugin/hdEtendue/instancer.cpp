@@ -49,7 +49,7 @@ public:
         GfMatrix4d placement(1);
         if (i < transforms_.size()) placement = transforms_[i];
         if (i < scales_.size()) placement *= GfMatrix4d(1).SetScale(vector_at(scales_, i));
-        if (i < rotations_.size()) placement *= GfMatrix4d(1).SetRotate(rotations_[i]);
+        if (i < rotations_.size()) placement *= GfMatrix4d(1).SetRotate(rotations_[i].GetNormalized());
         if (i < translations_.size()) placement *= GfMatrix4d(1).SetTranslate(vector_at(translations_, i));
         return placement;
     }
@@ -69,6 +69,7 @@ void Instancer::Sync(HdSceneDelegate* delegate, HdRenderParam* /*param*/, HdDirt
 
 VtMatrix4dArray Instancer::transforms(const SdfPath& prototype) {
     HdSceneDelegate& delegate = *GetDelegate();
+    if (!delegate.GetVisible(GetId())) return {};  // prototypes of scene indices are visible whatever it is
     const GfMatrix4d own = delegate.GetInstancerTransform(GetId());
     const Placements placements(delegate, GetId());
     VtMatrix4dArray parents(1, GfMatrix4d(1));

@@ -21,10 +21,12 @@ struct NonPhysical {
 constexpr std::array kNonPhysical{NonPhysical{"diffuse", 1}, NonPhysical{"specular", 1}};
 constexpr std::array kShaping{"shaping:focus", "shaping:focusTint", "shaping:cone:angle", "shaping:cone:softness"};
 
-bool names_file(const VtValue& asset) {
-    if (asset.IsHolding<std::string>()) return !asset.UncheckedGet<std::string>().empty();
-    return asset.IsHolding<SdfAssetPath>() && !asset.UncheckedGet<SdfAssetPath>().GetAssetPath().empty();
+std::string asset_name(const VtValue& asset) {
+    if (asset.IsHolding<std::string>()) return asset.UncheckedGet<std::string>();
+    return asset.IsHolding<SdfAssetPath>() ? asset.UncheckedGet<SdfAssetPath>().GetAssetPath() : std::string();
 }
+
+bool names_file(const VtValue& asset) { return !asset_name(asset).empty(); }
 
 }  // namespace
 
@@ -68,15 +70,22 @@ void LightParams::fill_texture(LightDesc& desc) const {
              "texture:format '" + layout + "' is not supported, only latlong; the constant colour is used");
         return;
     }
+    if (asset_name(asset).find("<UDIM>") != std::string::npos) {
+        warn("udim", "a light's texture cannot be a UDIM set; the constant colour is used");
+        return;
+    }
     desc.texture_file = texture_file(warnings_, path_, asset, "the constant colour").value_or("");
 }
 
 /// Hydra does not say whether ShapingAPI is applied, but a light without it has none of its parameters.
 void LightParams::fill_shaping(LightDesc& desc) const {
     if (names_file(value("shaping:ies:file"))) warn("ies", "IES profiles are not supported; the light does without");
-    if (desc.kind == LightKind::Dome || desc.kind == LightKind::Distant) return;
     const auto is_set = [this](const char* name) { return !value(name).IsEmpty(); };
     if (!std::any_of(kShaping.begin(), kShaping.end(), is_set)) return;
+    if (desc.kind == LightKind::Dome || desc.kind == LightKind::Distant) {
+        warn("shaping", "shaping is not supported on distant and dome lights; it is ignored");
+        return;
+    }
     ShapingDesc shaping;
     shaping.focus = number("shaping:focus", shaping.focus);
     shaping.focus_tint = color_or(value("shaping:focusTint"), shaping.focus_tint);
@@ -96,6 +105,11 @@ void LightParams::warn_unsupported() const {
     if (filters.IsHolding<SdfPathVector>() && !filters.UncheckedGet<SdfPathVector>().empty()) {
         warn("filters", "light filters are not supported; the unfiltered light is used");
     }
+    const VtValue portals = value("portals");
+    if (portals.IsHolding<SdfPathVector>() && !portals.UncheckedGet<SdfPathVector>().empty()) {
+        warn("portals", "portals are not supported; the whole dome is sampled");
+    }
+    if (number("shadow:enable", 1) == 0) warn("shadow", "lights without shadows are not supported; it casts them");
     for (const char* const link : {"lightLink", "shadowLink"}) {
         if (!text(value(link)).empty()) {
             warn(std::string("linking ") + link, std::string(link) + " is not supported; the light reaches everything");

@@ -38,6 +38,13 @@ void Mesh::Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits* bi
     *bits &= ~HdChangeTracker::AllSceneDirtyBits;
 }
 
+/// Hydra does not sync prims whose tag nobody shows, but tells all of them their tags.
+void Mesh::UpdateRenderTag(HdSceneDelegate* delegate, HdRenderParam* param) {
+    HdMesh::UpdateRenderTag(delegate, param);
+    record_.render_tag = GetRenderTag();
+    ours(param).store().set_render_tag(GetId(), record_.render_tag);
+}
+
 void Mesh::Finalize(HdRenderParam* param) { ours(param).store().remove_shape(GetId()); }
 
 }  // namespace etendue::hydra

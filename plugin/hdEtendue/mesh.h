@@ -13,6 +13,7 @@ public:
 
     [[nodiscard]] HdDirtyBits GetInitialDirtyBitsMask() const override;
     void Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits* bits, const TfToken& repr) override;
+    void UpdateRenderTag(HdSceneDelegate* delegate, HdRenderParam* param) override;
     void Finalize(HdRenderParam* param) override;
 
 protected:

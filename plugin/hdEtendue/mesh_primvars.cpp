@@ -8,11 +8,15 @@
 #include <pxr/base/gf/vec2f.h>
 #include <pxr/base/gf/vec2h.h>
 #include <pxr/base/vt/array.h>
+#include <pxr/imaging/hd/extComputationUtils.h>
 
 #include "convert.h"
 
 namespace etendue::hydra {
 namespace {
+
+constexpr std::array kInterpolations{HdInterpolationConstant, HdInterpolationUniform, HdInterpolationVarying,
+                                     HdInterpolationVertex, HdInterpolationFaceVarying};
 
 template <class T>
 struct Flat {
@@ -97,16 +101,30 @@ Vector twice_area(const std::vector<Float3>& points, const std::int32_t* corners
     return sum;
 }
 
+/// What the host computes, such as the points of a skinned mesh.
+void add_computed(HdSceneDelegate& delegate, const SdfPath& path, std::map<TfToken, PrimvarValue>& primvars) {
+    for (const HdInterpolation interpolation : kInterpolations) {
+        const HdExtComputationPrimvarDescriptorVector descriptors =
+            delegate.GetExtComputationPrimvarDescriptors(path, interpolation);
+        if (descriptors.empty()) continue;
+        const auto values = HdExtComputationUtils::GetComputedPrimvarValues(descriptors, &delegate);
+        for (const HdExtComputationPrimvarDescriptor& descriptor : descriptors) {
+            const auto value = values.find(descriptor.name);
+            if (value != values.end()) primvars[descriptor.name] = {value->second, interpolation, descriptor.role};
+        }
+    }
+}
+
 }  // namespace
 
 std::map<TfToken, PrimvarValue> read_primvars(HdSceneDelegate& delegate, const SdfPath& path) {
     std::map<TfToken, PrimvarValue> primvars;
-    for (const HdInterpolation interpolation : {HdInterpolationConstant, HdInterpolationUniform, HdInterpolationVarying,
-                                                HdInterpolationVertex, HdInterpolationFaceVarying}) {
+    for (const HdInterpolation interpolation : kInterpolations) {
         for (const HdPrimvarDescriptor& descriptor : delegate.GetPrimvarDescriptors(path, interpolation)) {
             primvars[descriptor.name] = {delegate.Get(path, descriptor.name), interpolation, descriptor.role};
         }
     }
+    add_computed(delegate, path, primvars);
     return primvars;
 }
 

@@ -16,11 +16,11 @@ namespace {
 
 /// Rounded to the nearest code, clamped to the type's range; `one` is the code of 1.
 template <class Code>
-Code quantised(float value, float one) {
+Code quantised(double value, double one) {
     constexpr double lowest = std::numeric_limits<Code>::lowest();
     constexpr double highest = std::numeric_limits<Code>::max();
     if (std::isnan(value)) return 0;
-    return static_cast<Code>(std::clamp(std::round(static_cast<double>(value) * one), lowest, highest));
+    return static_cast<Code>(std::clamp(std::round(value * one), lowest, highest));
 }
 
 template <class Code>
@@ -28,16 +28,16 @@ void put(std::uint8_t* to, Code code) {
     std::memcpy(to, &code, sizeof code);
 }
 
-void put_component(std::uint8_t* to, HdFormat component, float value) {
+void put_component(std::uint8_t* to, HdFormat component, double value) {
     switch (component) {
         case HdFormatUNorm8:
             return put(to, quantised<std::uint8_t>(value, 255));
         case HdFormatSNorm8:
             return put(to, quantised<std::int8_t>(value, 127));
         case HdFormatFloat16:
-            return put(to, GfHalf(value).bits());
+            return put(to, GfHalf(static_cast<float>(value)).bits());
         case HdFormatFloat32:
-            return put(to, value);
+            return put(to, static_cast<float>(value));
         case HdFormatInt16:
             return put(to, quantised<std::int16_t>(value, 1));
         case HdFormatUInt16:
@@ -65,7 +65,8 @@ bool RenderBuffer::Allocate(const GfVec3i& dimensions, HdFormat format, bool /*m
     height_ = static_cast<unsigned int>(dimensions[1]);
     format_ = format;
     data_.assign(std::size_t{width_} * height_ * HdDataSizeOfFormat(format), 0);
-    ++allocation_;
+    static std::atomic<std::uint64_t> allocations{0};
+    allocation_ = ++allocations;
     return true;
 }
 
@@ -84,8 +85,7 @@ void* RenderBuffer::Map() {
 }
 
 void RenderBuffer::clear(const VtValue& value) {
-    std::vector<float> components;
-    for (const double number : numbers(value)) components.push_back(static_cast<float>(number));
+    const std::vector<double> components = numbers(value);
     if (components.empty()) return;
     for (unsigned int y = 0; y < height_; ++y) {
         for (unsigned int x = 0; x < width_; ++x) {
@@ -94,16 +94,16 @@ void RenderBuffer::clear(const VtValue& value) {
     }
 }
 
-void RenderBuffer::write(int x, int y, const float* components, std::size_t count) {
+void RenderBuffer::write(int x, int y, const double* components, std::size_t count) {
     if (x < 0 || y < 0 || x >= static_cast<int>(width_) || y >= static_cast<int>(height_)) return;
     const auto row = height_ - 1 - static_cast<unsigned int>(y);
     const std::size_t pixel = std::size_t{row} * width_ + static_cast<unsigned int>(x);
     std::uint8_t* to = data_.data() + pixel * HdDataSizeOfFormat(format_);
-    if (is_depth_stencil(format_)) return put(to, count > 0 ? components[0] : 0.0F);
+    if (is_depth_stencil(format_)) return put(to, count > 0 ? static_cast<float>(components[0]) : 0.0F);
     const HdFormat component = HdGetComponentFormat(format_);
     const std::size_t size = HdDataSizeOfFormat(component);
     for (std::size_t i = 0; i < HdGetComponentCount(format_); ++i) {
-        put_component(to + i * size, component, i < count ? components[i] : 0.0F);
+        put_component(to + i * size, component, i < count ? components[i] : 0.0);
     }
 }
 

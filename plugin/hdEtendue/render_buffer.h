@@ -33,9 +33,9 @@ public:
     void clear(const VtValue& value);
     /// Sets the pixel `x` from the left and `y` from the top; components beyond `count` are 0, excess ones dropped.
     /// Outside the buffer nothing happens.
-    void write(int x, int y, const float* components, std::size_t count);
+    void write(int x, int y, const double* components, std::size_t count);
 
-    /// Counts allocations: pixels written before one are lost.
+    /// Its number among those of all buffers: pixels written before it are lost.
     [[nodiscard]] std::uint64_t allocation() const { return allocation_; }
 
 private:

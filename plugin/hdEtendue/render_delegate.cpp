@@ -4,6 +4,7 @@
 
 #include <pxr/base/tf/diagnostic.h>
 #include <pxr/imaging/hd/camera.h>
+#include <pxr/imaging/hd/extComputation.h>
 #include <pxr/imaging/hd/resourceRegistry.h>
 #include <pxr/imaging/hd/tokens.h>
 
@@ -48,7 +49,8 @@ const TfTokenVector& RenderDelegate::GetSupportedRprimTypes() const {
 }
 
 const TfTokenVector& RenderDelegate::GetSupportedSprimTypes() const {
-    static const TfTokenVector types = joined({{HdPrimTypeTokens->camera, HdPrimTypeTokens->material}, Light::types()});
+    static const TfTokenVector types = joined(
+        {{HdPrimTypeTokens->camera, HdPrimTypeTokens->material, HdPrimTypeTokens->extComputation}, Light::types()});
     return types;
 }
 
@@ -72,19 +74,15 @@ VtDictionary RenderDelegate::GetRenderStats() const {
     return stats;
 }
 
-bool RenderDelegate::IsPaused() const {
-    bool paused = false;
-    param_.renderers().for_each([&paused](const Renderer& renderer) { paused = paused || renderer.is_paused(); });
-    return paused;
-}
+bool RenderDelegate::IsPaused() const { return param_.renderers().is_paused(); }
 
 bool RenderDelegate::Pause() {
-    param_.renderers().for_each([](Renderer& renderer) { renderer.set_paused(true); });
+    param_.renderers().set_paused(true);
     return true;
 }
 
 bool RenderDelegate::Resume() {
-    param_.renderers().for_each([](Renderer& renderer) { renderer.set_paused(false); });
+    param_.renderers().set_paused(false);
     return true;
 }
 
@@ -124,6 +122,7 @@ HdRprim* RenderDelegate::CreateRprim(const TfToken& type, const SdfPath& path) {
 HdSprim* RenderDelegate::CreateSprim(const TfToken& type, const SdfPath& path) {
     if (type == HdPrimTypeTokens->camera) return new HdCamera(path);
     if (type == HdPrimTypeTokens->material) return new Material(path);
+    if (type == HdPrimTypeTokens->extComputation) return new HdExtComputation(path);
     if (contains(Light::types(), type)) return new Light(path, type);
     TF_CODING_ERROR("Unknown type of sprim %s", type.GetText());
     return nullptr;

@@ -1,6 +1,7 @@
 #include "render_pass.h"
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -42,26 +43,35 @@ RenderPass::RenderPass(HdRenderIndex* index, const HdRprimCollection& collection
 RenderPass::~RenderPass() { param_.renderers().remove(renderer_); }
 
 void RenderPass::_Execute(const HdRenderPassStateSharedPtr& state, const TfTokenVector& render_tags) {
+    const HdRenderPassAovBindingVector& bindings = state->GetAovBindings();
     Request request = read_request(*state, render_tags);
-    if (request.view.is_empty()) return;
-    std::vector<Target> targets;
-    for (const HdRenderPassAovBinding& binding : state->GetAovBindings()) {
-        if (RenderBuffer* const buffer = buffer_of(binding)) {
-            targets.push_back({buffer, binding.aovName, buffer->allocation()});
-        }
-    }
-    if (request != request_ || targets != targets_) {
-        targets_ = std::move(targets);
-        clear(state->GetAovBindings());
+    const bool rebound = take_targets(bindings);
+    if (rebound) clear(bindings);
+    if (rebound || request != request_) {
         request_ = std::move(request);
         start(request_);
     }
     if (const std::optional<RenderView> fresh = renderer_.fresh_view()) {
+        // Only now: until there is something to show, hosts show what was there.
+        if (std::exchange(stale_, false)) clear(bindings);
         show(*fresh);
-        if (renderer_.is_finished()) write(fresh->image);
+        if (renderer_.is_finished() && !renderer_.has_failed()) write(fresh->image);
     }
     converged_ = renderer_.is_finished();
+    if (converged_ && std::exchange(stale_, false)) clear(bindings);
     for (const Target& target : targets_) target.buffer->set_converged(converged_);
+}
+
+bool RenderPass::take_targets(const HdRenderPassAovBindingVector& bindings) {
+    std::vector<Target> targets;
+    for (const HdRenderPassAovBinding& binding : bindings) {
+        if (RenderBuffer* const buffer = buffer_of(binding)) {
+            targets.push_back({buffer, binding.aovName, buffer->allocation()});
+        }
+    }
+    if (targets == targets_) return false;
+    targets_ = std::move(targets);
+    return true;
 }
 
 RenderPass::Request RenderPass::read_request(const HdRenderPassState& state, const TfTokenVector& render_tags) const {
@@ -80,6 +90,17 @@ RenderPass::Request RenderPass::read_request(const HdRenderPassState& state, con
 }
 
 void RenderPass::start(const Request& request) {
+    stale_ = true;
+    if (request.view.is_empty()) return renderer_.stop(false);
+    try {
+        renderer_.start(make_job(request));
+    } catch (const std::exception& error) {
+        renderer_.stop(false);
+        TF_RUNTIME_ERROR("Etendue: %s", error.what());
+    }
+}
+
+RenderJob RenderPass::make_job(const Request& request) {
     Assembled assembled = assemble(param_.store().contents(), request.selection, param_.warnings());
     assembled.scene.cameras.push_back(request.view.camera);
     RenderSettings settings = render_settings(param_.delegate());
@@ -88,7 +109,7 @@ void RenderPass::start(const Request& request) {
     settings.crop = request.view.window;
     settings.conform = request.view.conform;
     settings.aovs.assign(request.aovs.begin(), request.aovs.end());
-    renderer_.start({std::move(assembled.scene), settings, std::move(assembled.prims), request.identify});
+    return {std::move(assembled.scene), settings, std::move(assembled.prims), request.identify};
 }
 
 void RenderPass::clear(const HdRenderPassAovBindingVector& bindings) const {

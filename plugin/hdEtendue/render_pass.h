@@ -51,7 +51,10 @@ private:
     };
 
     [[nodiscard]] Request read_request(const HdRenderPassState& state, const TfTokenVector& render_tags) const;
+    /// Whether they are other ones than last time.
+    [[nodiscard]] bool take_targets(const HdRenderPassAovBindingVector& bindings);
     void start(const Request& request);
+    [[nodiscard]] RenderJob make_job(const Request& request);
     void clear(const HdRenderPassAovBindingVector& bindings) const;
     void show(const RenderView& fresh) const;
     void write(const RenderedImage& image) const;
@@ -60,6 +63,7 @@ private:
     Renderer renderer_;
     Request request_;
     std::vector<Target> targets_;
+    bool stale_ = false;  ///< whether the buffers show an earlier request
     bool converged_ = false;
 };
 

@@ -6,7 +6,8 @@
 
 namespace etendue::hydra {
 
-/// A RenderSettings prim: its attributes named etendue:... set the settings of that name while the prim is active.
+/// A RenderSettings prim: while it is active, its attributes named etendue:... set the settings of that name, which stay
+/// as they are when it no longer is.
 class RenderSettingsPrim final : public HdRenderSettings {
 public:
     explicit RenderSettingsPrim(const SdfPath& path) : HdRenderSettings(path) {}

@@ -1,5 +1,6 @@
 #include "renderer.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -29,7 +30,7 @@ Renderer::~Renderer() {
 void Renderer::start(RenderJob job) {
     {
         const std::lock_guard lock(mutex_);
-        if (built_) built_->session.cancel();
+        if (session_) session_->cancel();
         waiting_ = std::move(job);
         ++request_;
         current_ = false;
@@ -37,16 +38,17 @@ void Renderer::start(RenderJob job) {
         statistics_ = {};
     }
     finished_ = false;
+    failed_ = false;
     shown_passes_ = -1;
     shown_at_ = Clock::now();
     changed_.notify_all();
 }
 
 void Renderer::stop(bool wait) {
-    std::shared_ptr<Build> ended;
+    Session ended;
     {
         std::unique_lock lock(mutex_);
-        if (built_) built_->session.cancel();
+        if (session_) session_->cancel();
         waiting_.reset();
         ++request_;
         current_ = false;
@@ -54,9 +56,9 @@ void Renderer::stop(bool wait) {
         statistics_ = {};
         finished_ = true;
         if (wait) changed_.wait(lock, [this] { return !building_; });
-        ended = built_;
+        ended = session_;
     }
-    while (wait && ended && !ended->session.wait_for(1)) {
+    while (wait && ended && !ended->wait_for(1)) {
     }
 }
 
@@ -68,7 +70,7 @@ void Renderer::forget() {
 void Renderer::set_paused(bool paused) {
     const std::lock_guard lock(mutex_);
     paused_ = paused;
-    if (built_) built_->session.set_paused(paused);
+    if (session_) session_->set_paused(paused);
 }
 
 void Renderer::work() {
@@ -79,59 +81,68 @@ void Renderer::work() {
         const RenderJob job = std::move(*waiting_);
         waiting_.reset();
         building_ = true;
-        const std::uint64_t request = request_;
-        if (std::exchange(rebuild_, false)) built_.reset();
-        std::shared_ptr<Build> before = built_;
-        lock.unlock();
-        std::string failure;
-        std::shared_ptr<Build> next = build(job, before.get(), failure);
-        lock.lock();
-        if (next) built_ = next;
-        if (request == request_) begin(std::move(next), std::move(failure));
+        do_job(lock, job);
         building_ = false;
         changed_.notify_all();
-        lock.unlock();
-        before.reset();  // without the lock: it waits for the render's threads
-        lock.lock();
     }
 }
 
+/// Comes and goes with the lock; works without it.
+void Renderer::do_job(std::unique_lock<std::mutex>& lock, const RenderJob& job) {
+    const std::uint64_t request = request_;
+    Session before = std::exchange(rebuild_, false) ? nullptr : session_;
+    Session dropped = before ? nullptr : std::move(session_);
+    identifiers_.reset();
+    identify_ = job.identify;
+    lock.unlock();
+    dropped.reset();  // waits for the render's threads
+    std::string failure;
+    const Session next = build(job, before, failure);
+    lock.lock();
+    if (next) session_ = next;
+    const bool begun = request == request_ && begin(next, std::move(failure));
+    changed_.notify_all();
+    lock.unlock();
+    before.reset();
+    std::shared_ptr<const Identifiers> identifiers;
+    if (begun && job.identify) {
+        const auto is_stale = [&] { return request != request_; };
+        identifiers = std::make_shared<const Identifiers>(identify(*next, *job.settings.crop, job.prims, is_stale));
+    }
+    lock.lock();
+    if (request == request_) identifiers_ = std::move(identifiers);
+}
+
 /// Null, and why, where there is nothing to render.
-std::shared_ptr<Renderer::Build> Renderer::build(const RenderJob& job, const Build* before,
-                                                 std::string& failure) const {
+Renderer::Session Renderer::build(const RenderJob& job, const Session& before, std::string& failure) {
     try {
-        auto next = std::make_shared<Build>(
-            Build{{job.scene, job.settings, {}, before == nullptr ? nullptr : &before->session}, nullptr});
-        if (job.identify) {
-            next->identifiers =
-                std::make_shared<const Identifiers>(identify(next->session, *job.settings.crop, job.prims));
-        }
-        return next;
+        return std::make_shared<RenderSession>(job.scene, job.settings, ProgressCallback{}, before.get());
     } catch (const std::exception& error) {
         failure = error.what();
         return nullptr;
     }
 }
 
-/// Needs the lock.
-void Renderer::begin(std::shared_ptr<Build> next, std::string failure) {
+/// Needs the lock. False where there is nothing to render.
+bool Renderer::begin(const Session& session, std::string failure) {
     failure_ = std::move(failure);
-    if (!next) return;
+    if (!session) return false;
     try {
-        next->session.set_paused(paused_);
-        next->session.start();
+        session->set_paused(paused_);
+        session->start();
         current_ = true;
     } catch (const std::exception& error) {  // no thread to be had
         failure_ = error.what();
     }
+    return current_;
 }
 
-std::shared_ptr<Renderer::Build> Renderer::wait_for_build() {
+Renderer::Session Renderer::wait_for_session() {
     std::string failure;
     {
         std::unique_lock lock(mutex_);
         changed_.wait_for(lock, kPatience, [this] { return current_ || !failure_.empty(); });
-        if (current_) return built_;
+        if (current_) return session_;
         failure = std::exchange(failure_, {});
     }
     if (!failure.empty()) fail(failure);
@@ -140,14 +151,22 @@ std::shared_ptr<Renderer::Build> Renderer::wait_for_build() {
 
 std::optional<RenderView> Renderer::fresh_view() {
     if (finished_) return std::nullopt;
-    const std::shared_ptr<Build> build = wait_for_build();
-    if (!build) return std::nullopt;
-    const bool last = has_ended(build->session);
-    const std::int64_t passes = build->session.progress().passes_done;
+    const Session session = wait_for_session();
+    if (!session) return std::nullopt;
+    const bool ended = has_ended(*session);
+    RenderView view;
+    {
+        const std::lock_guard lock(mutex_);
+        view.identifiers = identifiers_;
+    }
+    const bool last = ended && (!identify_ || view.identifiers);
+    const std::int64_t passes = session->progress().passes_done;
     const double waited = std::chrono::duration<double>(Clock::now() - shown_at_).count();
-    const bool due = (passes > shown_passes_ && waited >= kShortestInterval) || waited >= kLongestInterval;
+    const bool first = shown_passes_ < 0;
+    const bool more = passes > std::max<std::int64_t>(shown_passes_, 0);
+    const bool due = (more && (first || waited >= kShortestInterval)) || waited >= kLongestInterval;
     if (!last && !due) return std::nullopt;
-    RenderView view{build->session.snapshot(), build->identifiers};
+    view.image = session->snapshot();
     finished_ = last;
     shown_passes_ = passes;
     shown_at_ = Clock::now();
@@ -159,7 +178,7 @@ std::optional<RenderView> Renderer::fresh_view() {
 Renderer::Status Renderer::status() const {
     const std::lock_guard lock(mutex_);
     Status status;
-    if (current_) status.progress = built_->session.progress();
+    if (current_) status.progress = session_->progress();
     status.statistics = statistics_;
     return status;
 }
@@ -176,6 +195,7 @@ bool Renderer::has_ended(RenderSession& session) {
 
 void Renderer::fail(const std::string& why) {
     finished_ = true;
+    failed_ = true;
     TF_RUNTIME_ERROR("Etendue: %s", why.c_str());
 }
 

@@ -28,7 +28,7 @@ struct RenderJob {
 /// What there is to show of a render.
 struct RenderView {
     RenderedImage image;
-    std::shared_ptr<const Identifiers> identifiers;  ///< null unless asked for
+    std::shared_ptr<const Identifiers> identifiers;  ///< null unless asked for, and while they are not known
 };
 
 /// One picture in the making. Scenes are built and rendered in the background, and what an edit leaves alone is not
@@ -49,13 +49,14 @@ public:
     void forget();
     /// Holds this render, and those started while held, or lets them go on.
     void set_paused(bool paused);
-    [[nodiscard]] bool is_paused() const { return paused_; }
 
     /// The picture so far when it is worth another look: a pass more than last time, or a while later. Waits a moment
     /// for it, so that a host that asks in a loop leaves the processor to the render. Empty otherwise.
     [[nodiscard]] std::optional<RenderView> fresh_view();
     /// Whether the last fresh_view() was the last there is.
     [[nodiscard]] bool is_finished() const { return finished_; }
+    /// Whether that is because something went wrong.
+    [[nodiscard]] bool has_failed() const { return failed_; }
 
     struct Status {
         RenderProgress progress;
@@ -65,32 +66,32 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    /// A session with what belongs to it.
-    struct Build {
-        RenderSession session;
-        std::shared_ptr<const Identifiers> identifiers;
-    };
+    using Session = std::shared_ptr<RenderSession>;
 
     void work();
-    [[nodiscard]] std::shared_ptr<Build> build(const RenderJob& job, const Build* before, std::string& failure) const;
-    void begin(std::shared_ptr<Build> next, std::string failure);
-    [[nodiscard]] std::shared_ptr<Build> wait_for_build();
+    void do_job(std::unique_lock<std::mutex>& lock, const RenderJob& job);
+    [[nodiscard]] static Session build(const RenderJob& job, const Session& before, std::string& failure);
+    [[nodiscard]] bool begin(const Session& session, std::string failure);
+    [[nodiscard]] Session wait_for_session();
     [[nodiscard]] bool has_ended(RenderSession& session);
     void fail(const std::string& why);
 
     mutable std::mutex mutex_;  ///< guards all that is not atomic, but for what fresh_view() alone uses
     std::condition_variable changed_;
     std::optional<RenderJob> waiting_;
-    std::uint64_t request_ = 0;  ///< grows with every start and stop
+    std::atomic<std::uint64_t> request_{0};  ///< grows with every start and stop
     bool building_ = false;
     bool rebuild_ = false;  ///< the next one, from nothing
     bool quit_ = false;
-    std::shared_ptr<Build> built_;  ///< what is rendered, or the last that was
-    bool current_ = false;          ///< whether that is what start() asked for
-    std::string failure_;           ///< why there is nothing to render
+    Session session_;       ///< what is rendered, or the last that was
+    bool current_ = false;  ///< whether that is what start() asked for
+    bool identify_ = false;
+    std::shared_ptr<const Identifiers> identifiers_;  ///< null until they are known
+    std::string failure_;                             ///< why there is nothing to render
     RenderStatistics statistics_;
     std::atomic<bool> finished_{true};
     std::atomic<bool> paused_{false};
+    bool failed_ = false;
     std::int64_t shown_passes_ = -1;
     Clock::time_point shown_at_;
     std::thread worker_;  ///< the last: it uses the others

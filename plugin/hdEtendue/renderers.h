@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <mutex>
 #include <set>
 
@@ -12,6 +13,7 @@ class Renderers {
 public:
     void add(Renderer& renderer) {
         const std::lock_guard lock(mutex_);
+        renderer.set_paused(paused_);
         all_.insert(&renderer);
     }
     void remove(Renderer& renderer) {
@@ -24,8 +26,17 @@ public:
         for (Renderer* const renderer : all_) function(*renderer);
     }
 
+    /// Holds them all, those that come later, too, or lets them go on.
+    void set_paused(bool paused) {
+        const std::lock_guard lock(mutex_);
+        paused_ = paused;
+        for (Renderer* const renderer : all_) renderer->set_paused(paused);
+    }
+    [[nodiscard]] bool is_paused() const { return paused_; }
+
 private:
     std::mutex mutex_;
+    std::atomic<bool> paused_{false};
     std::set<Renderer*> all_;
 };
 

@@ -10,6 +10,14 @@ void SceneStore::set_shape(const SdfPath& path, ShapeRecord record) {
     ++version_;
 }
 
+void SceneStore::set_render_tag(const SdfPath& path, const TfToken& tag) {
+    const std::lock_guard lock(mutex_);
+    const auto shape = contents_.shapes.find(path);
+    if (shape == contents_.shapes.end() || shape->second.render_tag == tag) return;
+    shape->second.render_tag = tag;
+    ++version_;
+}
+
 void SceneStore::set_light(const SdfPath& path, LightRecord record) {
     const std::lock_guard lock(mutex_);
     contents_.lights[path] = std::move(record);

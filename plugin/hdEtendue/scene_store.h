@@ -59,6 +59,8 @@ struct LightRecord {
 class SceneStore {
 public:
     void set_shape(const SdfPath& path, ShapeRecord record);
+    /// Of a shape that is there.
+    void set_render_tag(const SdfPath& path, const TfToken& tag);
     void set_light(const SdfPath& path, LightRecord record);
     void set_material(const SdfPath& path, HdMaterialNetwork2 network);
     void remove_shape(const SdfPath& path);

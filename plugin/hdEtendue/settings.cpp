@@ -1,7 +1,8 @@
 #include "settings.h"
 
-#include <array>
-#include <cstdlib>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -64,6 +65,17 @@ double number(const HdRenderDelegate& delegate, const Setting& setting, double f
     return fallback;
 }
 
+/// A whole number that a T can hold, or the nearest one.
+template <class T>
+T whole_number(const HdRenderDelegate& delegate, const Setting& setting, T fallback) {
+    const double value = number(delegate, setting, static_cast<double>(fallback));
+    // The bounds as doubles may lie just outside of T.
+    constexpr double lowest = std::numeric_limits<T>::is_signed ? -1e9 : 0;
+    const double held = std::clamp(std::isnan(value) ? static_cast<double>(fallback) : value, lowest, 1e9);
+    if (held != value) TF_WARN("Etendue: setting %s is %g; %g is used", setting.key, value, held);
+    return static_cast<T>(held);
+}
+
 IntegratorKind integrator(const HdRenderDelegate& delegate, IntegratorKind fallback) {
     const std::string name = text(delegate.GetRenderSetting(TfToken(kIntegrator.key)));
     const auto found = integrators().find(name);
@@ -75,7 +87,8 @@ IntegratorKind integrator(const HdRenderDelegate& delegate, IntegratorKind fallb
 /// The standard setting of that meaning, where a host sets it, else ours.
 int samples_per_pixel(const HdRenderDelegate& delegate, int fallback) {
     const VtValue standard = delegate.GetRenderSetting(HdRenderSettingsTokens->convergedSamplesPerPixel);
-    return static_cast<int>(number_or(standard, number(delegate, kSamples, fallback)));
+    if (standard.IsHolding<int>()) return standard.UncheckedGet<int>();
+    return whole_number(delegate, kSamples, fallback);
 }
 
 }  // namespace
@@ -103,9 +116,9 @@ RenderSettings render_settings(const HdRenderDelegate& delegate) {
     settings.integrator = integrator(delegate, settings.integrator);
     settings.samples_per_pixel = samples_per_pixel(delegate, settings.samples_per_pixel);
     settings.time_limit = number(delegate, kTimeLimit, settings.time_limit);
-    settings.max_depth = static_cast<int>(number(delegate, kMaxDepth, settings.max_depth));
-    settings.seed = static_cast<std::uint64_t>(number(delegate, kSeed, 0));
-    settings.threads = static_cast<int>(number(delegate, kThreads, settings.threads));
+    settings.max_depth = whole_number(delegate, kMaxDepth, settings.max_depth);
+    settings.seed = whole_number(delegate, kSeed, settings.seed);
+    settings.threads = whole_number(delegate, kThreads, settings.threads);
     settings.adjoint.refraction = number(delegate, kRefraction, 1) != 0;
     settings.adjoint.shading_normal = number(delegate, kShadingNormal, 1) != 0;
     settings.adjoint.phong = number(delegate, kPhong, 1) != 0;

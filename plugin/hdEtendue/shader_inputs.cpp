@@ -26,6 +26,12 @@ bool reads_primvar(const std::string& type) {
            type.starts_with("ND_geompropvalue_");
 }
 
+/// The input that a node passes on: of a primvar reader what stands in for the primvar.
+std::string constant_of(const std::string& type) {
+    if (type.starts_with("ND_constant_")) return "value";
+    return type.starts_with("ND_geompropvalue_") ? "default" : "fallback";
+}
+
 bool departs(const std::vector<double>& values, const Color& fallback) {
     for (std::size_t i = 0; i < std::min<std::size_t>(values.size(), 3); ++i) {
         if (std::abs(values[i] - fallback[i]) > 1e-6) return true;
@@ -112,18 +118,24 @@ void ShaderInputs::warn(const std::string& kind, const std::string& message) con
 /// resolve_input through the nodes that only pass a constant on.
 InputSource ShaderInputs::resolve(const NodeRef& node, const std::string& name) const {
     InputSource source = resolve_input(node, name);
-    const auto* output = std::get_if<NodeOutput>(&source);
-    if (output == nullptr) return source;
-    const std::string& type = output->node.type();
-    if (type.starts_with("ND_constant_")) return resolve(output->node, "value");
-    if (reads_primvar(type)) {
-        translation_.warnings.warn("primvar reader " + shader_.type() + "." + name, output->node.path,
-                                   "input '" + name +
-                                       "' reads a primvar, which is supported for texture coordinates only; the "
-                                       "reader's fallback is used");
-        return resolve(output->node, type.find("geompropvalue") != std::string::npos ? "default" : "fallback");
+    for (std::size_t rest = node.network->nodes.size(); rest > 0; --rest) {
+        const auto* output = std::get_if<NodeOutput>(&source);
+        if (output == nullptr) return source;
+        const std::string& type = output->node.type();
+        const bool reader = reads_primvar(type);
+        if (!reader && !type.starts_with("ND_constant_")) return source;
+        if (reader) {
+            translation_.warnings.warn("primvar reader " + shader_.type() + "." + name, output->node.path,
+                                       "input '" + name +
+                                           "' reads a primvar, which is supported for texture coordinates only; the "
+                                           "reader's fallback is used");
+        }
+        const NodeRef upstream = output->node;
+        source = resolve_input(upstream, constant_of(type));
     }
-    return source;
+    translation_.warnings.warn("ring of nodes " + node.path.GetString(), node.path,
+                               "the nodes of input '" + name + "' feed each other in a ring; its default is used");
+    return {};
 }
 
 ColorInput ShaderInputs::constant_color(const std::string& name, const Constant& source, double multiplier,

@@ -61,7 +61,7 @@ void sync_shape(HdSceneDelegate& delegate, HdRprim& rprim, HdDirtyBits bits, Sha
         record.material = rprim.GetMaterialId();
     }
     record.visible = rprim.IsVisible();
-    record.render_tag = rprim.GetRenderTag(&delegate);
+    record.render_tag = rprim.GetRenderTag();
     record.instanced = !rprim.GetInstancerId().IsEmpty();
     if (record.instanced && (bits & (HdChangeTracker::DirtyInstancer | HdChangeTracker::DirtyInstanceIndex |
                                      HdChangeTracker::DirtyTransform | HdChangeTracker::DirtyPrimvar))) {

@@ -46,7 +46,13 @@ std::string primvar_or_st(const VtValue& name) {
     return authored.empty() ? kDefaultSt : authored;
 }
 
-CoordinateSource coordinates_of(Warnings& warnings, const NodeRef& node, const std::string& input) {
+/// `rest` is how many nodes there can be upstream: more are a ring.
+CoordinateSource coordinates_of(Warnings& warnings, const NodeRef& node, const std::string& input, std::size_t rest) {
+    if (rest == 0) {
+        warnings.warn("ring of nodes " + node.path.GetString(), node.path,
+                      "the nodes of its texture coordinates feed each other in a ring; primvar 'st' is used");
+        return {kDefaultSt};
+    }
     const InputSource source = resolve_input(node, input);
     if (const auto* constant = std::get_if<Constant>(&source)) {
         const auto place = pair_or(constant->value, {0, 0});
@@ -62,7 +68,7 @@ CoordinateSource coordinates_of(Warnings& warnings, const NodeRef& node, const s
     if (type == "ND_geompropvalue_vector2") return {primvar_or_st(constant_input(warnings, upstream, "geomprop"))};
     if (type == "ND_texcoord_vector2") return {kDefaultSt};
     if (type == "UsdTransform2d" || type == "ND_UsdTransform2d") {
-        const CoordinateSource inner = coordinates_of(warnings, upstream, "in");
+        const CoordinateSource inner = coordinates_of(warnings, upstream, "in", rest - 1);
         return {inner.primvar, compose(transform_2d(warnings, upstream), inner.transform)};
     }
     warnings.warn("texture coordinate node " + type, upstream.path,
@@ -73,7 +79,7 @@ CoordinateSource coordinates_of(Warnings& warnings, const NodeRef& node, const s
 }  // namespace
 
 CoordinateSource texture_coordinates(Warnings& warnings, const NodeRef& node, const std::string& input) {
-    CoordinateSource source = coordinates_of(warnings, node, input);
+    CoordinateSource source = coordinates_of(warnings, node, input, node.network->nodes.size());
     if (node.type().starts_with("ND_tiledimage")) {
         const auto tiling = pair_or(constant_input(warnings, node, "uvtiling"), {1, 1});
         const auto offset = pair_or(constant_input(warnings, node, "uvoffset"), {0, 0});

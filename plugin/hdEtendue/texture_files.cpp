@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string_view>
 #include <system_error>
 
 #include <unistd.h>
@@ -17,6 +18,13 @@
 
 namespace etendue::hydra {
 namespace {
+
+constexpr std::string_view kUdim = "<UDIM>";
+
+bool is_file(const std::filesystem::path& file) {
+    std::error_code ignored;
+    return std::filesystem::exists(file, ignored);
+}
 
 /// A directory for files taken out of packages: made on first use, removed when the plugin is.
 class Scratch {
@@ -33,14 +41,15 @@ public:
     std::string extract(const std::string& resolved) {
         const std::lock_guard lock(mutex_);
         if (directory_.empty()) {
-            std::string name = (std::filesystem::temp_directory_path() / "etendue-XXXXXX").string();
-            if (::mkdtemp(name.data()) == nullptr) return {};
+            std::error_code none;
+            std::string name = (std::filesystem::temp_directory_path(none) / "etendue-XXXXXX").string();
+            if (none || ::mkdtemp(name.data()) == nullptr) return {};
             directory_ = name;
         }
         const std::string inner = ArSplitPackageRelativePathInner(resolved).second;
         const std::filesystem::path file = directory_ / (std::to_string(std::hash<std::string>()(resolved)) + "-" +
                                                          std::filesystem::path(inner).filename().string());
-        if (!std::filesystem::exists(file) && !copy(resolved, file)) return {};
+        if (!is_file(file) && !copy(resolved, file)) return {};
         return file.string();
     }
 
@@ -69,10 +78,15 @@ std::string resolved_name(const VtValue& asset) {
     return path.GetResolvedPath().empty() ? path.GetAssetPath() : path.GetResolvedPath();
 }
 
+/// A set of tiles is there when any of them is: what is missing shows the fallback.
 bool is_there(const std::string& name) {
-    // A set of tiles has no file of its own name; the core names the tiles it misses.
-    std::error_code ignored;
-    return name.find("<UDIM>") != std::string::npos || std::filesystem::exists(name, ignored);
+    const std::size_t mark = name.find(kUdim);
+    if (mark == std::string::npos) return is_file(name);
+    for (int tile = 1001; tile <= 1100; ++tile) {
+        std::string file = name;
+        if (is_file(file.replace(mark, kUdim.size(), std::to_string(tile)))) return true;
+    }
+    return false;
 }
 
 }  // namespace

@@ -27,7 +27,11 @@ CameraDesc describe(const HdCamera& camera) {
     desc.focal_length = kTenths * camera.GetFocalLength();
     desc.f_stop = camera.GetFStop();
     desc.focus_distance = camera.GetFocusDistance();
+#if PXR_VERSION >= 2505
     desc.exposure_scale = camera.GetLinearExposureScale();
+#else
+    desc.exposure_scale = std::exp2(camera.GetExposure());
+#endif
     return desc;
 }
 

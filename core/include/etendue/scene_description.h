@@ -16,6 +16,8 @@
 #include <variant>
 #include <vector>
 
+#include <etendue/export.h>
+
 namespace etendue {
 
 using Float2 = std::array<float, 2>;
@@ -28,6 +30,9 @@ struct Matrix4 {
 
     [[nodiscard]] bool operator==(const Matrix4&) const = default;
 };
+
+/// Whether a matrix can place something: finite, affine and not singular.
+[[nodiscard]] ETENDUE_EXPORT bool is_placement(const Matrix4& matrix);
 
 // ---------------------------------------------------------------------------------------------------- textures
 

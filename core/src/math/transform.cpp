@@ -60,4 +60,13 @@ Transform operator*(const Transform& c_from_b, const Transform& b_from_a) {
             c_from_b.point(b_from_a.translation_), c_from_b.determinant_ * b_from_a.determinant_};
 }
 
+bool is_placement(const Matrix4& matrix) {
+    try {
+        const Transform checked(matrix);
+        return true;
+    } catch (const SceneError&) {
+        return false;
+    }
+}
+
 }  // namespace etendue
