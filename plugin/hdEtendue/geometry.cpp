@@ -26,4 +26,22 @@ SharedGeometry Geometry::shape() const {
     return shape_;
 }
 
+std::shared_ptr<const Geometry> Geometry::kept(std::shared_ptr<const Geometry> before,
+                                               std::shared_ptr<const Geometry> now) {
+    const bool same = before && now && before->same_as(*now);
+    return same ? before : now;
+}
+
+bool Geometry::same_as(const Geometry& other) const {
+    if (coordinates != other.coordinates || subset_materials != other.subset_materials || faces != other.faces) {
+        return false;
+    }
+    return *shape() == *other.with_coordinates(current_name());
+}
+
+std::string Geometry::current_name() const {
+    const std::lock_guard lock(mutex_);
+    return has_;
+}
+
 }  // namespace etendue::hydra

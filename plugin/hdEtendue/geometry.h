@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -19,6 +20,8 @@ namespace etendue::hydra {
 struct TextureCoordinates {
     std::vector<Float2> values;
     Interpolation interpolation = Interpolation::Vertex;
+
+    [[nodiscard]] bool operator==(const TextureCoordinates&) const = default;
 };
 
 /// The heavy part of a shape, shared between edits that leave it alone, so that renders know it again. Which texture
@@ -38,8 +41,15 @@ public:
     [[nodiscard]] SharedGeometry with_coordinates(const std::string& name) const;
     /// With whichever coordinates.
     [[nodiscard]] SharedGeometry shape() const;
+    /// `now` as the host has just told it, or `before` when that says the same: hosts tell much again that has not
+    /// changed.
+    [[nodiscard]] static std::shared_ptr<const Geometry> kept(std::shared_ptr<const Geometry> before,
+                                                              std::shared_ptr<const Geometry> now);
 
 private:
+    [[nodiscard]] bool same_as(const Geometry& other) const;
+    [[nodiscard]] std::string current_name() const;
+
     mutable std::mutex mutex_;
     mutable SharedGeometry shape_;
     mutable std::string has_;  ///< the name of its coordinates

@@ -124,18 +124,20 @@ const TfTokenVector& Implicit::GetBuiltinPrimvarNames() const {
     return none;
 }
 
+std::shared_ptr<const Geometry> Implicit::read_geometry(HdSceneDelegate& delegate, Warnings& warnings) const {
+    GeometryDesc solid = read_solid(type_, Attributes(delegate, warnings, GetId(), type_));
+    const std::string reason = complaint(solid);
+    if (reason.empty()) return std::make_shared<const Geometry>(std::move(solid));
+    warnings.warn("unusable solid " + GetId().GetString(), GetId(), "it is left out: " + reason);
+    return nullptr;
+}
+
 void Implicit::Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits* bits, const TfToken& /*repr*/) {
     RenderParam& shared = ours(param);
     _UpdateVisibility(delegate, bits);
     _UpdateInstancer(delegate, bits);
     if (*bits & HdChangeTracker::DirtyPrimvar) {  // Hydra's bit for the attributes, too
-        GeometryDesc solid = read_solid(type_, Attributes(*delegate, shared.warnings(), GetId(), type_));
-        record_.geometry = nullptr;
-        if (const std::string reason = complaint(solid); !reason.empty()) {
-            shared.warnings().warn("unusable solid " + GetId().GetString(), GetId(), "it is left out: " + reason);
-        } else {
-            record_.geometry = std::make_shared<const Geometry>(std::move(solid));
-        }
+        record_.geometry = Geometry::kept(record_.geometry, read_geometry(*delegate, shared.warnings()));
         sync_display(shared.warnings(), GetId(), read_primvars(*delegate, GetId()), record_);
     }
     sync_shape(*delegate, *this, *bits, record_);

@@ -3,6 +3,7 @@
 #include <pxr/imaging/hd/rprim.h>
 
 #include "scene_store.h"
+#include "warnings.h"
 
 namespace etendue::hydra {
 
@@ -26,6 +27,8 @@ protected:
     void _InitRepr(const TfToken& /*repr*/, HdDirtyBits* /*bits*/) override {}
 
 private:
+    [[nodiscard]] std::shared_ptr<const Geometry> read_geometry(HdSceneDelegate& delegate, Warnings& warnings) const;
+
     TfToken type_;
     ShapeRecord record_;
 };

@@ -29,7 +29,8 @@ void Mesh::Sync(HdSceneDelegate* delegate, HdRenderParam* param, HdDirtyBits* bi
     _UpdateInstancer(delegate, bits);
     if (*bits & kGeometryBits) {
         const auto primvars = read_primvars(*delegate, GetId());
-        record_.geometry = read_mesh_geometry(shared.warnings(), *delegate, GetId(), primvars);
+        record_.geometry =
+            Geometry::kept(record_.geometry, read_mesh_geometry(shared.warnings(), *delegate, GetId(), primvars));
         sync_display(shared.warnings(), GetId(), primvars, record_);
         record_.light = read_mesh_light(*delegate, shared.warnings(), GetId());
     }

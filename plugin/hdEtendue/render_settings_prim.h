@@ -6,8 +6,8 @@
 
 namespace etendue::hydra {
 
-/// A RenderSettings prim: while it is active, its attributes named etendue:... set the settings of that name, which stay
-/// as they are when it no longer is.
+/// A RenderSettings prim: while it is active, its attributes named etendue:... set the settings of that name, which
+/// stay as they are when it no longer is.
 class RenderSettingsPrim final : public HdRenderSettings {
 public:
     explicit RenderSettingsPrim(const SdfPath& path) : HdRenderSettings(path) {}

@@ -170,34 +170,48 @@ struct MeshDesc {
     Interpolation st_interpolation = Interpolation::Vertex;
     std::vector<std::int32_t> face_materials;  ///< per face an index into ShapeDesc::materials; empty: all 0
     bool left_handed = false;                  ///< UsdGeom orientation
+
+    [[nodiscard]] bool operator==(const MeshDesc&) const = default;
 };
 
 struct SphereDesc {
     double radius = 1;
+
+    [[nodiscard]] bool operator==(const SphereDesc&) const = default;
 };
 struct CubeDesc {
     double size = 2;
+
+    [[nodiscard]] bool operator==(const CubeDesc&) const = default;
 };
 enum class Axis { X, Y, Z };
 struct CylinderDesc {
     double radius = 1;
     double height = 2;
     Axis axis = Axis::Z;
+
+    [[nodiscard]] bool operator==(const CylinderDesc&) const = default;
 };
 struct ConeDesc {
     double radius = 1;
     double height = 2;
     Axis axis = Axis::Z;
+
+    [[nodiscard]] bool operator==(const ConeDesc&) const = default;
 };
 struct CapsuleDesc {
     double radius = 0.5;
     double height = 1;
     Axis axis = Axis::Z;
+
+    [[nodiscard]] bool operator==(const CapsuleDesc&) const = default;
 };
 struct PlaneDesc {
     double width = 2;
     double length = 2;
     Axis axis = Axis::Z;
+
+    [[nodiscard]] bool operator==(const PlaneDesc&) const = default;
 };
 
 using GeometryDesc = std::variant<MeshDesc, SphereDesc, CubeDesc, CylinderDesc, ConeDesc, CapsuleDesc, PlaneDesc>;
