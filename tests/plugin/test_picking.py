@@ -27,7 +27,7 @@ def board(stage: Usd.Stage, path: str, left: float) -> UsdGeom.Mesh:
 
 
 def build(path: Path) -> None:
-    """A board, a ball above it, three instances of a board below, a lamp; ten units wide and high."""
+    """A board, a ball above it, three more boards below, a lamp; ten units wide and high."""
     stage = Usd.Stage.CreateNew(str(path))
     UsdGeom.SetStageUpAxis(stage, "Y")
     board(stage, "/Board", -4.0)

@@ -19,8 +19,8 @@ def test_usdrecord(host: HydraHost, tmp_path: Path, name: str) -> None:
     if not os.environ.get(SCRIPT):
         pytest.skip(f"no usdrecord: {SCRIPT} is not set")
     output = tmp_path / "out.exr"
-    arguments = ("--disableGpu", "--disableCameraLight", "--renderer", "Etendue")
-    arguments += ("--camera", first_camera(name), "--imageWidth", str(WIDTH))
+    arguments = ["--disableGpu", "--disableCameraLight", "--renderer", "Etendue"]
+    arguments += ["--camera", first_camera(name), "--imageWidth", str(WIDTH)]
     environment = {**SCENE_INDEX, "HDETENDUE_SAMPLES_PER_PIXEL": str(SAMPLES)}
     host.run("usdrecord", *arguments, stage_file(name), output, environment=environment)
     ours = read_color(output)

@@ -1,4 +1,4 @@
-"""Our stages and what the stage reader makes of them, for comparison with pictures through Hydra."""
+"""Our stages and what the stage reader makes of them, to compare pictures through Hydra with."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs usdrecord, the script that ETENDUE_USDRECORD names: bpy has its modules, but not the program.
+"""Runs usdrecord, the script that ETENDUE_USDRECORD names: bpy has its modules, not the program.
 
 usdrecord.py ARGUMENTS...
 """
@@ -19,7 +19,7 @@ def main() -> None:
         status = end.code
     sys.stdout.flush()
     sys.stderr.flush()
-    # At once: a thread of USD's is still taking down the stage, and aborts if Python has gone before it.
+    # At once: a thread of USD's still takes down the stage, and aborts if Python has gone before.
     os._exit(status if isinstance(status, int) else int(status is not None))
 
 
