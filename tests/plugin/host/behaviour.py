@@ -14,8 +14,8 @@ import sys
 import time
 from pathlib import Path
 
-from plugin.host.edit_storm import Scene
 from plugin.host.live_engine import LiveEngine
+from plugin.host.storm_scene import CAMERA, StormScene
 
 SIZE = (48, 32)
 CROP = (12, 4, 20, 16)  # x, y, width, height
@@ -60,13 +60,13 @@ def stop_and_restart(engine: LiveEngine) -> dict[str, bool]:
 
 def main(stage: Path, folder: Path) -> None:
     """See the module."""
-    scene = Scene(random.Random(3))
+    scene = StormScene(random.Random(3), folder)
     scene.stage.GetRootLayer().Export(str(stage))
-    engine = LiveEngine(scene.stage, "/Camera", SIZE)
+    engine = LiveEngine(scene.stage, CAMERA, SIZE)
     engine.set(samplesPerPixel=ENDLESS)
     engine.step()
     told: dict[str, object] = {**pause_and_resume(engine), **stop_and_restart(engine)}
-    cropped = LiveEngine(scene.stage, "/Camera", SIZE, CROP)
+    cropped = LiveEngine(scene.stage, CAMERA, SIZE, CROP)
     cropped.set(samplesPerPixel=SAMPLES)
     cropped.picture(folder / "crop.exr")
     told["percent"] = cropped.stats["percentDone"]
