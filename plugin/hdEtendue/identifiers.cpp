@@ -4,8 +4,6 @@
 #include <optional>
 #include <variant>
 
-#include <tbb/parallel_for.h>
-
 namespace etendue::hydra {
 namespace {
 
@@ -33,16 +31,11 @@ const Shape* shape_of(const PickedSurface& picked, const PrimTable& table) {
 using Picture = std::vector<std::optional<PickedSurface>>;
 
 Picture pick(const RenderSession& session, const PixelWindow& window, const std::function<bool()>& is_stale) {
-    const auto width = static_cast<std::size_t>(window.x1 - window.x0);
-    const auto height = static_cast<std::size_t>(window.y1 - window.y0);
-    Picture picked(width * height);
-    tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
-        if (is_stale()) return;
-        for (std::size_t x = 0; x < width; ++x) {
-            picked[y * width + x] =
-                session.pick(window.x0 + static_cast<double>(x) + 0.5, window.y0 + static_cast<double>(y) + 0.5);
-        }
-    });
+    Picture picked;
+    for (int y = window.y0; y < window.y1; ++y) {
+        if (is_stale()) return {};
+        for (int x = window.x0; x < window.x1; ++x) picked.push_back(session.pick(x + 0.5, y + 0.5));
+    }
     return picked;
 }
 

@@ -34,7 +34,8 @@ struct Identifiers {
     std::vector<std::int32_t> elements;
 };
 
-/// By what lies behind the centres of the window's pixels. Ends early, with nonsense, once `is_stale`.
+/// By what lies behind the centres of the window's pixels. Ends early, with nothing, once `is_stale`.
+/// On one thread: renders need the others.
 [[nodiscard]] Identifiers identify(const RenderSession& session, const PixelWindow& window, const PrimTable& table,
                                    const std::function<bool()>& is_stale);
 

@@ -1,11 +1,11 @@
 #include "session/pass.h"
 
 #include <algorithm>
-#include <memory>
 
-#include <tbb/concurrent_queue.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
+
+#include "util/hand_over.h"
 
 namespace etendue {
 namespace {
@@ -35,34 +35,42 @@ PassRunner::PassRunner(const Integrator& integrator, const PixelWindow& window)
     : integrator_(integrator), units_(cut(window, integrator.light_paths_per_pass())) {}
 
 bool PassRunner::run(std::uint64_t pass, const std::atomic<bool>& stop, const Sink& sink) const {
-    using TilePtr = std::shared_ptr<FilmTile>;
-    tbb::concurrent_queue<TilePtr> spare;
+    const auto in_flight = static_cast<std::size_t>(4 * tbb::this_task_arena::max_concurrency());
+    // Units end in their order, so that one has always ended before another one needs its tile.
+    std::vector<FilmTile> tiles(in_flight);
+    HandOver hand_over;
     std::size_t next = 0;
     const auto generate = [&](tbb::flow_control& control) -> std::size_t {
+        hand_over.take();
         if (next == units_.size() || stop.load(std::memory_order_relaxed)) {
             control.stop();
             return 0;
         }
-        return next++;
+        const std::size_t unit = next++;
+        hand_over.give();
+        return unit;
     };
     const auto render = [&](std::size_t unit) {
-        TilePtr tile;
-        if (!spare.try_pop(tile)) tile = std::make_shared<FilmTile>();
+        hand_over.take();
+        FilmTile& tile = tiles[unit % in_flight];
         WorkUnit work = units_[unit];
         work.pass = pass;
-        tile->reset(work.tile);
-        integrator_.render(work, *tile);
-        return tile;
+        tile.reset(work.tile);
+        integrator_.render(work, tile);
+        hand_over.give();
+        return unit;
     };
-    const auto hand_over = [&](const TilePtr& tile) {
-        sink(*tile);
-        spare.push(tile);
+    const auto deliver = [&](std::size_t unit) {
+        hand_over.take();
+        sink(tiles[unit % in_flight]);
+        hand_over.give();
     };
-    const auto in_flight = static_cast<std::size_t>(4 * tbb::this_task_arena::max_concurrency());
+    hand_over.give();
     tbb::parallel_pipeline(in_flight,
                            tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, generate) &
-                               tbb::make_filter<std::size_t, TilePtr>(tbb::filter_mode::parallel, render) &
-                               tbb::make_filter<TilePtr, void>(tbb::filter_mode::serial_in_order, hand_over));
+                               tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, render) &
+                               tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, deliver));
+    hand_over.take();
     return next == units_.size();
 }
 
