@@ -35,6 +35,17 @@ class HydraHost:
         environment: Mapping[str, str] | None = None,
     ) -> str:
         """What the script prints. Fails the test when it does not end well."""
+        done = self.complete(script, *arguments, timeout=timeout, environment=environment)
+        return done.stdout
+
+    def complete(
+        self,
+        script: str,
+        *arguments: object,
+        timeout: float = 300.0,
+        environment: Mapping[str, str] | None = None,
+    ) -> subprocess.CompletedProcess[str]:
+        """As run(), for what the script says elsewhere, too."""
         command = [str(self.python), "-m", "plugin.host", script, *map(str, arguments)]
         done = subprocess.run(
             command,
@@ -52,7 +63,7 @@ class HydraHost:
         if done.returncode != 0:
             command_line = " ".join(command)
             pytest.fail(f"{command_line}: {done.returncode}\n{done.stdout}\n{done.stderr}")
-        return done.stdout
+        return done
 
 
 def hydra_host() -> HydraHost:
