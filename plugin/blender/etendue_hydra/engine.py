@@ -34,9 +34,21 @@ class EtendueRenderEngine(bpy.types.HydraRenderEngine):
         """Called by Blender when the class is registered."""
         register_delegate()
 
+    # What is rendered need not be what the window shows, which is all that bpy.context knows.
+
+    def update(self, data: bpy.types.BlendData, depsgraph: bpy.types.Depsgraph) -> None:
+        """Called by Blender before a final render."""
+        self._depsgraph = depsgraph
+        super().update(data, depsgraph)
+
+    def view_update(self, context: bpy.types.Context, depsgraph: bpy.types.Depsgraph) -> None:
+        """Called by Blender when something has changed in the viewport."""
+        self._depsgraph = depsgraph
+        super().view_update(context, depsgraph)
+
     def get_render_settings(self, engine_type: str) -> dict[str, Any]:
-        """What the delegate is told, by the names of its settings."""
-        scene = bpy.context.scene
+        """What the delegate is told, by the names of its settings. Called by both updates."""
+        scene = self._depsgraph.scene_eval
         settings = scene.etendue
         in_viewport = engine_type == "VIEWPORT"
         told: dict[str, Any] = {
@@ -53,7 +65,7 @@ class EtendueRenderEngine(bpy.types.HydraRenderEngine):
             "etendue:adjoint:phong": settings.adjoint_phong,
         }
         if not in_viewport:
-            layer = bpy.context.view_layer
+            layer = self._depsgraph.view_layer_eval
             told |= {
                 f"aovToken:{name}": aov
                 for switch, name, aov, _, _ in PASSES

@@ -8,14 +8,12 @@ METHOD is how Blender fills Hydra: HYDRA or USD.
 from __future__ import annotations
 
 import math
-import os
 import sys
 from pathlib import Path
 
 import bpy
 
-sys.path.insert(0, os.environ["ETENDUE_BLENDER_ADDONS"])
-import etendue_hydra
+from plugin.host.blender_add_on import etendue_hydra
 
 SIZE = (160, 120)
 
