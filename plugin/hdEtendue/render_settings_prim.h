@@ -14,6 +14,9 @@ public:
 
 protected:
     void _Sync(HdSceneDelegate* delegate, HdRenderParam* param, const HdDirtyBits* bits) override;
+
+private:
+    [[nodiscard]] bool is_active(HdSceneDelegate& delegate) const;
 };
 
 }  // namespace etendue::hydra
