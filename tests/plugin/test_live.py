@@ -11,7 +11,7 @@ from support.hydra_host import SCENE_INDEX, HydraHost
 from support.same_picture import read_color
 
 EDITS = 1000
-PICTURES = 10  # as in host/edit_storm.py
+PICTURES = 50  # as in host/edit_storm.py
 # A scene is some 100 KiB, with its render buffers: a leak of one per edit would be 80 MiB.
 LEAK = 20 * 1024  # KiB
 

@@ -1,10 +1,11 @@
-"""Edits a stage at random while it is rendered. Now and then, and at the end, it renders the stage
-twice: through the engine that went through all the edits, and through a fresh one.
+"""Edits a stage at random while it is rendered. In the lulls of the storm, the last of them at its
+end, single edits of a finished picture are looked at: through the engine that went through all the
+edits, and through a fresh one.
 
 edit_storm.py EDITS SEED FOLDER
 
-Writes these pictures to FOLDER: live_<edits so far>.exr and fresh_<edits so far>.exr. Prints
-"memory" and the resident memory, in KiB, after a fifth of the edits and after all.
+Writes these pictures to FOLDER: live_<number>.exr and fresh_<number>.exr. Prints "memory" and the
+resident memory, in KiB, after a fifth of the edits and after all.
 """
 
 from __future__ import annotations
@@ -21,7 +22,8 @@ from plugin.host.storm_scene import CAMERA, StormScene
 SIZE = (48, 32)
 SAMPLES_WHILE_EDITING = 100_000
 SAMPLES_OF_A_PICTURE = 4
-PICTURES = 10
+LULLS = 10
+EDITS_IN_A_LULL = 5
 
 
 def resident_memory() -> int:
@@ -41,6 +43,7 @@ class Storm:
         self._scene = StormScene(self._chance, folder)
         self._edits = StormEdits(self._scene)
         self._engine = self._new_engine()
+        self._pictures = 0
 
     def rage(self, first: int, last: int) -> None:
         """Makes the edits of these numbers, each while the stage is being rendered."""
@@ -53,11 +56,20 @@ class Storm:
                 time.sleep(self._chance.uniform(0, 0.05))
                 self._engine.step()
 
-    def compare(self, edits: int) -> None:
-        """Writes both pictures after so many edits."""
-        for engine, name in ((self._engine, "live"), (self._new_engine(), "fresh")):
-            engine.set(samplesPerPixel=SAMPLES_OF_A_PICTURE)
-            engine.picture(self._folder / f"{name}_{edits}.exr")
+    def lull(self) -> None:
+        """Makes some more edits, and writes both pictures after each."""
+        for _ in range(EDITS_IN_A_LULL):
+            self._pictures += 1
+            live = self._folder / f"live_{self._pictures}.exr"
+            self._engine.set(samplesPerPixel=SAMPLES_OF_A_PICTURE, output=str(live))
+            self._engine.finish()
+            # Settings start a render anew. This must do so alone, and write the picture again.
+            self._edits.make_one()
+            self._engine.finish()
+            fresh = self._new_engine()
+            fresh.set(samplesPerPixel=SAMPLES_OF_A_PICTURE)
+            fresh.picture(self._folder / f"fresh_{self._pictures}.exr")
+        self._engine.set(output="")
 
     def _new_engine(self) -> LiveEngine:
         return LiveEngine(self._scene.stage, CAMERA, SIZE)
@@ -66,12 +78,12 @@ class Storm:
 def main(edits: int, seed: int, folder: Path) -> None:
     """See the module."""
     storm = Storm(seed, folder)
-    spell = max(edits // PICTURES, 1)
+    spell = max(edits // LULLS, 1)
     memory = []
     for done in range(spell, edits + 1, spell):
         storm.rage(done - spell + 1, done)
-        storm.compare(done)
-        if done in (PICTURES // 5 * spell, edits):
+        storm.lull()
+        if done in (LULLS // 5 * spell, edits):
             memory.append(resident_memory())
     print("memory", *memory)
 

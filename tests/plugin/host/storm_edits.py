@@ -48,6 +48,7 @@ class StormEdits:
             self._exchange_texture,
             self._switch_texture,
             self._scatter,
+            self._shift_copies,
             self._hide_copies,
             self._dim,
             self._hide_lamp,
@@ -123,6 +124,11 @@ class StormEdits:
     def _scatter(self) -> None:
         self._scene.scatter(self._any_copies())
 
+    def _shift_copies(self) -> None:
+        positions = self._any_copies().GetPositionsAttr()
+        shift = Gf.Vec3f(self._chance.uniform(-1, 1), 0, 0)
+        positions.Set([place + shift for place in positions.Get()])
+
     def _hide_copies(self) -> None:
         hidden = self._chance.sample(range(5), self._chance.randint(0, 2))
         self._any_copies().CreateInvisibleIdsAttr().Set(hidden)
@@ -154,7 +160,12 @@ class StormEdits:
 
     def _change_lens(self) -> None:
         camera = UsdGeom.Camera.Get(self._scene.stage, CAMERA)
-        camera.GetFocalLengthAttr().Set(self._chance.uniform(25, 50))
-        camera.GetHorizontalApertureAttr().Set(self._chance.uniform(30, 40))
-        camera.GetFocusDistanceAttr().Set(self._chance.uniform(5, 12))
-        camera.GetFStopAttr().Set(self._chance.choice((0.0, 0.5, 2.0)))
+        attribute, least, greatest = self._chance.choice(
+            (
+                (camera.GetFocalLengthAttr(), 25, 50),
+                (camera.GetHorizontalApertureAttr(), 30, 40),
+                (camera.GetFocusDistanceAttr(), 5, 12),
+                (camera.GetFStopAttr(), 0.3, 3),
+            )
+        )
+        attribute.Set(self._chance.uniform(least, greatest))
