@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -65,3 +66,14 @@ def test_the_add_on_comes_and_goes(host: HydraHost) -> None:
     nothing, everything = str([False] * 4), str([True] * 4)
     said = host.run("blender_register", environment=ENVIRONMENT).splitlines()
     assert said == [nothing, *[everything, nothing] * 2]
+
+
+def test_the_extension_can_be_packaged_and_installed(host: HydraHost, tmp_path: Path) -> None:
+    source, user = tmp_path / "source", tmp_path / "user"
+    without_plugin = shutil.ignore_patterns("usd", "__pycache__")
+    shutil.copytree(ADDONS / "etendue_hydra", source, ignore=without_plugin)
+    shutil.copytree(host.plugin.parents[1], source / "usd")
+    environment = {"BLENDER_USER_RESOURCES": str(user)}
+    said = host.run("blender_extension", source, tmp_path, environment=environment)
+    installed = user / "extensions/user_default/etendue_hydra"
+    assert said.splitlines()[-1] == str(installed / "usd/hdEtendue/resources")
