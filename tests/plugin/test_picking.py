@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
-import pytest
 from pxr import Gf, Usd, UsdGeom, UsdLux
 
-from support.hydra_host import SCENE_INDEX, HydraHost
+from support.hydra_host import SCENE_INDEX, HydraHost, skip_without_library
 
-LIBRARY = "ETENDUE_HYDRA_PICKING"  # built of host/picking.cpp
 SIZE = (40, 40)
 
 
@@ -69,8 +66,7 @@ SHOWN = {
 
 
 def test_pixels_know_what_they_show(host: HydraHost, tmp_path: Path) -> None:
-    if not os.environ.get(LIBRARY):
-        pytest.skip(f"{LIBRARY} is not set")
+    skip_without_library()
     stage = tmp_path / "stage.usda"
     build(stage)
     pixels = [number for point in SHOWN for number in pixel(*point)]

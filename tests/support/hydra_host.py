@@ -15,6 +15,7 @@ import pytest
 
 HOST = "ETENDUE_HYDRA_HOST"  # a Python interpreter
 PLUGIN = "ETENDUE_HYDRA_PLUGIN"  # the directory of plugInfo.json
+LIBRARY = "ETENDUE_HYDRA_PICKING"  # built of plugin/host/*.cpp
 _TESTS = Path(__file__).resolve().parent.parent
 # UsdImaging has two ways to fill Hydra; only the newer one hands over implicit surfaces as such.
 SCENE_INDEX = {"USDIMAGINGGL_ENGINE_ENABLE_SCENE_INDEX": "1"}
@@ -72,3 +73,9 @@ def hydra_host() -> HydraHost:
     if not python or not plugin:
         pytest.skip(f"no host for the Hydra plugin: {HOST} and {PLUGIN} are not set")
     return HydraHost(Path(python), Path(plugin))
+
+
+def skip_without_library() -> None:
+    """For scripts that need what Python's modules of USD do not have."""
+    if not os.environ.get(LIBRARY):
+        pytest.skip(f"{LIBRARY} is not set")
