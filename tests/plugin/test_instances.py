@@ -85,7 +85,7 @@ def test_invisible_parts_of_instancers(
     host: HydraHost, tmp_path: Path, environment: dict[str, str], path: str
 ) -> None:
     if environment and path in PROTOTYPES:
-        pytest.skip("scene indices of OpenUSD 25.08 say that prototypes are visible, whatever they are")
+        pytest.skip("scene indices of OpenUSD 25.08 call every prototype visible")
     studio = Studio()
     nested(studio)
     UsdGeom.Imageable.Get(studio.stage, path).CreateVisibilityAttr("invisible")
