@@ -117,6 +117,11 @@ public:
         return session_->snapshot();
     }
 
+    std::optional<PickedSurface> pick(double x, double y) const {
+        const py::gil_scoped_release release;
+        return session_->pick(x, y);
+    }
+
 private:
     std::shared_ptr<ProgressRelay> relay_;
     std::unique_ptr<RenderSession> session_;
@@ -132,6 +137,11 @@ void bind_render_session(py::module_& module) {
         .def_readonly("seconds", &RenderProgress::seconds)
         .def_readonly("finished", &RenderProgress::finished);
 
+    py::class_<PickedSurface>(module, "PickedSurface")
+        .def_readonly("shape", &PickedSurface::shape)
+        .def_readonly("instance", &PickedSurface::instance)
+        .def_readonly("triangle", &PickedSurface::triangle);
+
     py::class_<Session>(module, "RenderSession")
         .def(py::init<const SceneDescription&, const RenderSettings&, std::optional<py::function>>(), py::arg("scene"),
              py::arg("settings"), py::arg("callback") = py::none())
@@ -140,7 +150,8 @@ void bind_render_session(py::module_& module) {
         .def("wait", &Session::wait)
         .def("wait_for", &Session::wait_for, py::arg("seconds"))
         .def_property_readonly("progress", &Session::progress)
-        .def("snapshot", &Session::snapshot);
+        .def("snapshot", &Session::snapshot)
+        .def("pick", &Session::pick, py::arg("x"), py::arg("y"));
 }
 
 }  // namespace etendue::python

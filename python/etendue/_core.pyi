@@ -960,6 +960,22 @@ class RenderProgress:
     def finished(self) -> bool: ...
 
 @final
+class PickedSurface:
+    """What a point of the picture shows, by indices into the scene's description."""
+
+    @property
+    def shape(self) -> int:
+        """Of `shapes`, or of an instance's group; -1: a light."""
+
+    @property
+    def instance(self) -> int:
+        """-1: none."""
+
+    @property
+    def triangle(self) -> int:
+        """Faces of n corners are cut into n - 2 triangles, in order; 0 on an exact surface."""
+
+@final
 class RenderSession:
     """One progressive render in the background. No call holds the GIL while it waits."""
 
@@ -978,6 +994,8 @@ class RenderSession:
     @property
     def progress(self) -> RenderProgress: ...
     def snapshot(self) -> RenderedImage: ...
+    def pick(self, x: float, y: float) -> PickedSurface | None:
+        """The nearest surface behind a point of the full image (pixels, row 0 on top)."""
 
 @final
 class ColorConfig:

@@ -154,6 +154,17 @@ def test_absent_aov(scene: _core.SceneDescription) -> None:
         session.snapshot().array(_core.Aov.Depth)
 
 
+def test_pick(build: StageBuilder) -> None:
+    quad = build.lit_quad().stage.GetPrimAtPath("/Quad")
+    quad.GetAttribute("points").Set([(0, 0.5, 0), (1, 0.5, 0), (1, 3, 0), (0, 3, 0)])
+    session = _core.RenderSession(build.read().scene, settings())
+    found = session.pick(4.5, 0.5)
+    assert found is not None
+    assert (found.shape, found.instance) == (0, -1)
+    assert found.triangle in (0, 1)
+    assert session.pick(4.5, 5.5) is None
+
+
 # ---------------------------------------------------------------------------------------- sessions
 
 
