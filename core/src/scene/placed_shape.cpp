@@ -8,6 +8,7 @@
 #include <etendue/error.h>
 
 #include "geometry/tessellate.h"
+#include "scene/world_origin.h"
 
 namespace etendue {
 namespace {
@@ -70,9 +71,9 @@ PlacedGeometry place_geometry(const GeometryDesc& desc, const Transform& parent_
         desc);
 }
 
-Transform placement(const ShapeDesc& shape) {
+Transform placement(const ShapeDesc& shape, const Vec3& origin) {
     try {
-        return Transform(shape.parent_from_object);
+        return Transform(relative_to(origin, shape.parent_from_object));
     } catch (const SceneError& error) {
         throw SceneError(shape.name + ": " + error.what());
     }
@@ -90,14 +91,14 @@ bool is_emissive(const ShapeDesc& shape, const SceneDescription& scene) {
     });
 }
 
-PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh) {
+PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh, const Vec3& origin) {
     check_indices(shape, scene);
     const GeometryDesc& geometry = scene.geometries[static_cast<std::size_t>(shape.geometry)];
     PlacedShape placed;
     placed.name = shape.name;
     placed.materials = shape.materials;
     placed.geometry = std::make_unique<PlacedGeometry>(
-        place_geometry(geometry, placement(shape), shape.name, as_mesh || is_emissive(shape, scene)));
+        place_geometry(geometry, placement(shape, origin), shape.name, as_mesh || is_emissive(shape, scene)));
     if (const auto* mesh = std::get_if<TriangleMesh>(placed.geometry.get())) check_slots(*mesh, shape);
     return placed;
 }

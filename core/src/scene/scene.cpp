@@ -16,14 +16,15 @@
 #include "scene/light_triangles.h"
 #include "scene/material_glow.h"
 #include "scene/media_probe.h"
+#include "scene/world_origin.h"
 #include "texture/udim.h"
 
 namespace etendue {
 namespace {
 
-Transform instance_transform(const InstanceDesc& instance) {
+Transform instance_transform(const InstanceDesc& instance, const Vec3& origin) {
     try {
-        return Transform(instance.world_from_group);
+        return Transform(relative_to(origin, instance.world_from_group));
     } catch (const SceneError& error) {
         throw SceneError(instance.name + ": " + error.what());
     }
@@ -63,17 +64,25 @@ std::vector<TextureDesc> all_textures(const SceneDescription& description) {
     return textures;
 }
 
+std::vector<LightDesc> relative_lights(const SceneDescription& description, const Vec3& origin) {
+    std::vector<LightDesc> lights = description.lights;
+    for (LightDesc& light : lights) light.world_from_light = relative_to(origin, light.world_from_light);
+    return lights;
+}
+
 }  // namespace
 
-Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths)
+Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths,
+             const Vec3& origin)
     : textures_(all_textures(description)), materials_(description.materials), absorption_(materials_) {
     for (const MaterialDesc& material : materials_) check_material(material, description.textures.size());
-    place_shapes(description);
-    place_instances(description);
-    place_light_shapes(description);
+    const std::vector<LightDesc> lights = relative_lights(description, origin);
+    place_shapes(description, origin);
+    place_instances(description, origin);
+    place_light_shapes(lights);
     build_accel();
     const SceneBounds bounds = find_bounds(lens_points);
-    make_lights(description, bounds);
+    make_lights(lights, description.textures.size(), bounds);
     make_emissive_lights();
     light_sampler_ = std::make_unique<LightSampler>(lights_, bounds);
     if (absorbs()) {
@@ -82,10 +91,10 @@ Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_
     if (light_paths) emission_ = EmissionAim(cluster(find_casters(), EmissionAim::kMostTargets));
 }
 
-void Scene::place_shapes(const SceneDescription& description) {
+void Scene::place_shapes(const SceneDescription& description, const Vec3& origin) {
     const std::vector<int> light_of_shape = mesh_light_shapes(description);
     for (std::size_t i = 0; i < description.shapes.size(); ++i) {
-        shapes_.push_back(place_shape(description.shapes[i], description, light_of_shape[i] >= 0));
+        shapes_.push_back(place_shape(description.shapes[i], description, light_of_shape[i] >= 0, origin));
     }
     for (const GroupDesc& group : description.groups) {
         std::vector<PlacedShape> shapes;
@@ -94,21 +103,21 @@ void Scene::place_shapes(const SceneDescription& description) {
     }
 }
 
-void Scene::place_instances(const SceneDescription& description) {
+void Scene::place_instances(const SceneDescription& description, const Vec3& origin) {
     for (const InstanceDesc& instance : description.instances) {
         if (instance.group < 0 || instance.group >= static_cast<int>(groups_.size())) {
             throw SceneError(instance.name + ": group index " + std::to_string(instance.group) + " is out of range");
         }
-        instances_.push_back({static_cast<std::size_t>(instance.group), instance_transform(instance), {}});
+        instances_.push_back({static_cast<std::size_t>(instance.group), instance_transform(instance, origin), {}});
     }
 }
 
-void Scene::place_light_shapes(const SceneDescription& description) {
-    for (std::size_t i = 0; i < description.lights.size(); ++i) {
-        std::optional<LightShape> shape = make_light_shape(description.lights[i]);
+void Scene::place_light_shapes(const std::vector<LightDesc>& lights) {
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        std::optional<LightShape> shape = make_light_shape(lights[i]);
         if (!shape) continue;
         PlacedShape placed;
-        placed.name = description.lights[i].name;
+        placed.name = lights[i].name;
         placed.geometry = std::make_unique<PlacedGeometry>(std::move(*shape));
         placed.materials = {-1};
         placed.lights = {static_cast<int>(i)};
@@ -142,9 +151,10 @@ int Scene::add_light(std::unique_ptr<Light> light) {
     return index;
 }
 
-void Scene::make_lights(const SceneDescription& description, const SceneBounds& bounds) {
-    auto next_texture = static_cast<int>(description.textures.size());
-    for (const LightDesc& desc : description.lights) {
+void Scene::make_lights(const std::vector<LightDesc>& lights, std::size_t material_textures,
+                        const SceneBounds& bounds) {
+    auto next_texture = static_cast<int>(material_textures);
+    for (const LightDesc& desc : lights) {
         if (desc.kind != LightKind::Mesh) {
             const bool textured = lux_texture(desc).has_value();
             add_light(make_light(desc, bounds,
@@ -162,7 +172,7 @@ void Scene::make_lights(const SceneDescription& description, const SceneBounds& 
                             add_light(make_mesh_light(desc, light_triangles(mesh, -1, {}), {})));
     }
     // The description's lights keep their indices: those of further slots follow.
-    for (const LightDesc& desc : description.lights) {
+    for (const LightDesc& desc : lights) {
         if (desc.kind != LightKind::Mesh || !desc.tinted_by_material) continue;
         PlacedShape& shape = shapes_[static_cast<std::size_t>(desc.shape)];
         for (std::size_t slot = 1; slot < shape.materials.size(); ++slot) {

@@ -34,9 +34,11 @@ struct RayEnd {
 class Scene {
 public:
     /// `lens_points` are positions that light must be able to reach besides the geometry (cameras with a lens). Without
-    /// `light_paths` nobody will ask where these had best go, and emission() is each light's own. Throws SceneError or
-    /// FileError naming the prim or file.
-    Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths = true);
+    /// `light_paths` nobody will ask where these had best go, and emission() is each light's own. All positions, those
+    /// of `lens_points` too, are relative to `origin` (world_origin.h). Throws SceneError or FileError naming the prim
+    /// or file.
+    Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths = true,
+          const Vec3& origin = {});
     // Lights refer to the textures and materials in here.
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
@@ -79,12 +81,12 @@ private:
         std::vector<std::vector<int>> lights;  ///< [shape][slot]; empty: none
     };
 
-    void place_shapes(const SceneDescription& description);
-    void place_instances(const SceneDescription& description);
-    void place_light_shapes(const SceneDescription& description);
+    void place_shapes(const SceneDescription& description, const Vec3& origin);
+    void place_instances(const SceneDescription& description, const Vec3& origin);
+    void place_light_shapes(const std::vector<LightDesc>& lights);
     void build_accel();
     [[nodiscard]] SceneBounds find_bounds(const std::vector<Vec3>& lens_points) const;
-    void make_lights(const SceneDescription& description, const SceneBounds& bounds);
+    void make_lights(const std::vector<LightDesc>& lights, std::size_t material_textures, const SceneBounds& bounds);
     /// A mesh light's part in one material slot, tinted by that slot's material.
     [[nodiscard]] std::unique_ptr<Light> make_tinted_light(const LightDesc& desc, const PlacedShape& shape,
                                                            std::size_t slot) const;
