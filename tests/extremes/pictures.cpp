@@ -77,6 +77,13 @@ int pixels_that_differ(const Picture& a, const Picture& b) {
     return different;
 }
 
+double deviation(const Picture& a, double expected) {
+    if (a.invalid > 0) return kInfinity;
+    double worst = 0;
+    for (const float x : a.rgb) worst = std::max(worst, std::abs(static_cast<double>(x) / expected - 1));
+    return worst;
+}
+
 double relative_difference(const Picture& a, const Picture& b) {
     std::vector<double> squares;
     for (std::size_t i = 0; i < a.rgb.size(); ++i) {

@@ -45,6 +45,9 @@ struct Worst {
 /// Bit for bit.
 [[nodiscard]] int pixels_that_differ(const Picture& a, const Picture& b);
 
+/// The largest relative deviation of any channel from `expected`. Infinite when a contribution was invalid.
+[[nodiscard]] double deviation(const Picture& a, double expected);
+
 /// Root of the mean squared difference over the mean of a, without the worst 3 % of pixels: those whose paths met an
 /// edge that roundings put on their other side. Infinite when a
 /// contribution was invalid.
