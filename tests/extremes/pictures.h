@@ -21,6 +21,13 @@ struct NamedScene {
 
 inline constexpr IntegratorKind kIntegrators[]{IntegratorKind::Path, IntegratorKind::Light, IntegratorKind::Bdpt};
 
+struct NamedIntegrator {
+    IntegratorKind kind;
+    const char* name;
+};
+inline constexpr NamedIntegrator kNamedIntegrators[]{
+    {IntegratorKind::Path, "path"}, {IntegratorKind::Light, "light"}, {IntegratorKind::Bdpt, "bdpt"}};
+
 /// A few pixels and samples: for comparisons of pictures of one seed, sample by sample.
 [[nodiscard]] RenderSettings quick_settings(IntegratorKind integrator);
 
