@@ -9,6 +9,9 @@ namespace etendue::test {
 [[nodiscard]] double errors_apart(const Replicas& a, const Replicas& b);
 inline constexpr double kMostErrors = 6.1;
 
+/// Of the mean from a known value. Infinite when a contribution was invalid.
+[[nodiscard]] double relative_error(const Replicas& seen, double expected);
+
 inline constexpr int kReplicas = 16;
 
 /// Renders of a few pixels; path takes four times the samples of the others, which costs as much.

@@ -59,7 +59,7 @@ TEST(Furnace, WhiteAndClosedIsTheSameHoweverLightIsFound) {
         EXPECT_TRUE(mean_is(seen, 1, 0.02));
         EXPECT_TRUE(at_most({"furnace", "albedo 1, closed, depth " + std::to_string(finder.depth) + ", " + finder.name,
                              "radiance (depth + 1) e: relative deviation of the mean"},
-                            std::abs(seen.mean() - 1), 0.05));
+                            relative_error(seen, 1), 0.05));
     }
 }
 
@@ -70,7 +70,7 @@ TEST(Furnace, WhiteAndClosedEndsByRoulette) {
     const Replicas seen = render_replicas(glowing_ball(0.9, 0.1), settings, kReplicas, 1);
     EXPECT_TRUE(mean_is(seen, 1, 0.01));
     EXPECT_TRUE(at_most({"furnace", "albedo 0.9, closed, depth 1e6, by roulette", "radiance e / (1 - albedo)"},
-                        std::abs(seen.mean() - 1), 0.05));
+                        relative_error(seen, 1), 0.05));
 }
 
 }  // namespace

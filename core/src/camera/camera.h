@@ -67,6 +67,9 @@ public:
     /// without a lens.
     [[nodiscard]] std::optional<LensHit> hit_lens(const Vec3& origin, const Vec3& direction, double t_max) const;
 
+    /// Moves the camera.
+    void stand_at(const Vec3& position) { position_ = position; }
+
     [[nodiscard]] bool has_lens() const { return lens_radius_ > 0; }
     [[nodiscard]] bool orthographic() const { return orthographic_; }
     [[nodiscard]] const Vec3& forward() const { return forward_; }

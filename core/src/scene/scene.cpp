@@ -81,10 +81,10 @@ Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_
     place_instances(description, origin);
     place_light_shapes(lights);
     build_accel();
-    const SceneBounds bounds = find_bounds(lens_points);
-    make_lights(lights, description.textures.size(), bounds);
+    bounds_ = find_bounds(lens_points);
+    make_lights(lights, description.textures.size());
     make_emissive_lights();
-    light_sampler_ = std::make_unique<LightSampler>(lights_, bounds);
+    light_sampler_ = std::make_unique<LightSampler>(lights_, bounds_);
     if (absorbs()) {
         for (const auto& light : lights_) light_media_.push_back(media_before(*this, *light));
     }
@@ -151,13 +151,12 @@ int Scene::add_light(std::unique_ptr<Light> light) {
     return index;
 }
 
-void Scene::make_lights(const std::vector<LightDesc>& lights, std::size_t material_textures,
-                        const SceneBounds& bounds) {
+void Scene::make_lights(const std::vector<LightDesc>& lights, std::size_t material_textures) {
     auto next_texture = static_cast<int>(material_textures);
     for (const LightDesc& desc : lights) {
         if (desc.kind != LightKind::Mesh) {
             const bool textured = lux_texture(desc).has_value();
-            add_light(make_light(desc, bounds,
+            add_light(make_light(desc, bounds_,
                                  textured ? std::make_shared<TextureImage>(textures_, next_texture++) : nullptr));
             continue;
         }

@@ -48,6 +48,8 @@ public:
     /// Whether nothing lies from `a` along the unit `direction`.
     [[nodiscard]] bool sees_infinity(const RayEnd& a, const Vec3& direction) const;
 
+    [[nodiscard]] const SceneBounds& bounds() const { return bounds_; }
+
     /// Surfaces without a material (lights' own shapes) absorb everything.
     [[nodiscard]] static bool scatters(const SurfaceInteraction& si) { return si.material >= 0; }
     /// Needs scatters(si).
@@ -86,7 +88,7 @@ private:
     void place_light_shapes(const std::vector<LightDesc>& lights);
     void build_accel();
     [[nodiscard]] SceneBounds find_bounds(const std::vector<Vec3>& lens_points) const;
-    void make_lights(const std::vector<LightDesc>& lights, std::size_t material_textures, const SceneBounds& bounds);
+    void make_lights(const std::vector<LightDesc>& lights, std::size_t material_textures);
     /// A mesh light's part in one material slot, tinted by that slot's material.
     [[nodiscard]] std::unique_ptr<Light> make_tinted_light(const LightDesc& desc, const PlacedShape& shape,
                                                            std::size_t slot) const;
@@ -104,6 +106,7 @@ private:
     std::vector<Instance> instances_;
     std::vector<std::unique_ptr<Light>> lights_;
     std::vector<int> infinite_lights_;
+    SceneBounds bounds_;  ///< of all that is finite, lenses included
     std::unique_ptr<LightSampler> light_sampler_;
     EmissionAim emission_;
     std::unique_ptr<EmbreeAccel> accel_;

@@ -15,6 +15,7 @@
 #include "film/film.h"
 #include "integrator/integrator.h"
 #include "scene/media_probe.h"
+#include "scene/off_surfaces.h"
 #include "scene/world_origin.h"
 #include "session/pass.h"
 #include "session/validate_settings.h"
@@ -33,6 +34,11 @@ Camera make_camera(const SceneDescription& scene, const RenderSettings& settings
     CameraDesc camera = scene.cameras[static_cast<std::size_t>(settings.camera)];
     camera.world_from_camera = relative_to(origin, camera.world_from_camera);
     return Camera(camera, settings.width, settings.height, settings.conform);
+}
+
+Camera off_surfaces(const Scene& scene, Camera camera) {
+    camera.stand_at(off_surfaces(scene, camera.position()));
+    return camera;
 }
 
 std::vector<Vec3> lens_points(const Camera& camera) {
@@ -63,9 +69,9 @@ public:
         : settings_(settings),
           callback_(std::move(callback)),
           origin_(checked_origin(scene, settings_)),
-          camera_(make_camera(scene, settings_, origin_)),
           arena_(thread_count(settings_)),
-          scene_(scene, lens_points(camera_), traces_light_paths(settings_), origin_),
+          scene_(scene, lens_points(make_camera(scene, settings_, origin_)), traces_light_paths(settings_), origin_),
+          camera_(off_surfaces(scene_, make_camera(scene, settings_, origin_))),
           integrator_(make_integrator(make_context(scene_, camera_, settings_))),
           runner_(*integrator_, render_window(settings_)),
           film_(settings_, render_window(settings_), integrator_->image_strategies()) {}
@@ -183,9 +189,9 @@ private:
     RenderSettings settings_;
     ProgressCallback callback_;
     Vec3 origin_;  ///< from which positions are measured
-    Camera camera_;
     tbb::task_arena arena_;
     Scene scene_;
+    Camera camera_;
     std::unique_ptr<Integrator> integrator_;
     PassRunner runner_;
     Film film_;
