@@ -79,6 +79,8 @@ public:
     [[nodiscard]] double depth(const Vec3& p) const { return dot(p - position_, forward_); }
 
 private:
+    /// What Embree could not trace.
+    void check_reach(const CameraDesc& desc, int width, int height) const;
     /// Continuous pixel coordinates of the ray z0 + t direction.
     [[nodiscard]] Vec2 raster_of(const Vec3& z0, const Vec3& direction) const;
     /// The point of the orthographic camera's plane that sees p.

@@ -7,6 +7,7 @@
 
 #include <etendue/error.h>
 
+#include "geometry/ray.h"
 #include "geometry/tessellate.h"
 #include "scene/world_origin.h"
 
@@ -53,6 +54,12 @@ void check_sizes(const Revolved& body, const std::string& name) {
     check_size(body.height, "height", name);
 }
 
+void check_reach(const Quadric& quadric, const std::string& name) {
+    const Quadric::Bounds bounds = quadric.bounds();
+    if (!within_reach(bounds.lower) || !within_reach(bounds.upper))
+        throw SceneError(name + ": it reaches too far away");
+}
+
 PlacedGeometry place_geometry(const GeometryDesc& desc, const Transform& parent_from_object, const std::string& name,
                               bool as_mesh) {
     return std::visit(
@@ -63,7 +70,11 @@ PlacedGeometry place_geometry(const GeometryDesc& desc, const Transform& parent_
             } else {
                 check_sizes(geometry, name);
                 if constexpr (std::is_same_v<Kind, SphereDesc>) {
-                    if (!as_mesh) return Quadric{QuadricKind::Sphere, geometry.radius, false, parent_from_object};
+                    if (!as_mesh) {
+                        const Quadric sphere{QuadricKind::Sphere, geometry.radius, false, parent_from_object};
+                        check_reach(sphere, name);
+                        return sphere;
+                    }
                 }
                 return make_triangle_mesh(tessellate(geometry), parent_from_object, name);
             }

@@ -30,6 +30,15 @@ Transform instance_transform(const InstanceDesc& instance, const Vec3& origin) {
     }
 }
 
+/// Embree takes rays from anywhere in the scene into the group, directions and all.
+bool takes_rays_from(const SceneBounds& bounds, const Transform& world_from_group) {
+    const double farthest = max_component(abs(bounds.center)) + bounds.radius;
+    const Transform group_from_world = world_from_group.inverse();
+    return within_reach(group_from_world.magnitude({farthest, farthest, farthest})) &&
+           within_reach(group_from_world.vector_magnitude({1, 1, 1})) &&
+           within_reach(world_from_group.vector_magnitude({1, 1, 1})) && within_reach(world_from_group.translation());
+}
+
 std::vector<const PlacedGeometry*> geometries(const std::vector<PlacedShape>& shapes) {
     std::vector<const PlacedGeometry*> out;
     for (const PlacedShape& shape : shapes) out.push_back(shape.geometry.get());
@@ -82,6 +91,7 @@ Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_
     place_light_shapes(lights);
     build_accel();
     bounds_ = find_bounds(lens_points);
+    check_instances(description);
     make_lights(lights, description.textures.size());
     make_emissive_lights();
     light_sampler_ = std::make_unique<LightSampler>(lights_, bounds_);
@@ -142,6 +152,13 @@ SceneBounds Scene::find_bounds(const std::vector<Vec3>& lens_points) const {
     const Vec3 center = (box->lower + box->upper) * 0.5;
     const double radius = length(box->upper - center);
     return {center, radius > 0 ? radius : 1};
+}
+
+void Scene::check_instances(const SceneDescription& description) const {
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        if (takes_rays_from(bounds_, instances_[i].world_from_group)) continue;
+        throw SceneError(description.instances[i].name + ": it is too small, too large or too far away");
+    }
 }
 
 int Scene::add_light(std::unique_ptr<Light> light) {

@@ -87,6 +87,7 @@ private:
     void place_instances(const SceneDescription& description, const Vec3& origin);
     void place_light_shapes(const std::vector<LightDesc>& lights);
     void build_accel();
+    void check_instances(const SceneDescription& description) const;
     [[nodiscard]] SceneBounds find_bounds(const std::vector<Vec3>& lens_points) const;
     void make_lights(const std::vector<LightDesc>& lights, std::size_t material_textures);
     /// A mesh light's part in one material slot, tinted by that slot's material.
