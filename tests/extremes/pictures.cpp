@@ -66,7 +66,7 @@ Picture picture(const SceneDescription& scene, const RenderSettings& settings) {
 }
 
 int pixels_that_differ(const Picture& a, const Picture& b) {
-    int different = 0;
+    int different = static_cast<int>(a.invalid + b.invalid);
     for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
         different += std::equal(a.rgb.begin() + static_cast<std::ptrdiff_t>(i),
                                 a.rgb.begin() + static_cast<std::ptrdiff_t>(i) + 3,

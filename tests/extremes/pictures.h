@@ -49,7 +49,7 @@ struct Worst {
 [[nodiscard]] Worst worst_of_all(
     const std::function<double(const SceneDescription& scene, const RenderSettings& settings)>& measure);
 
-/// Bit for bit.
+/// Bit for bit. Invalid contributions count as pixels.
 [[nodiscard]] int pixels_that_differ(const Picture& a, const Picture& b);
 
 /// The largest relative deviation of any channel from `expected`. Infinite when a contribution was invalid.
