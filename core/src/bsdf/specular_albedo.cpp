@@ -58,35 +58,47 @@ SpecularAlbedo integrate(double cos, double alpha) {
     return sum * (1.0 / (kHeights * kAzimuths));
 }
 
-/// Nodes are even in the square roots of the cosine and of alpha: albedos vary fastest at grazing angles.
+constexpr SpecularAlbedo kSmoothMean{20.0 / 21, 1.0 / 21};  // 2 times the integral of cos (1 - cos)^5 is 1/21
+/// 2 times the integrals of cos (1 - cos)^5 and cos (1 - cos)^10 are 1/21 and 1/66.
+constexpr SquaredSpecularAlbedo kSmoothMeanSquare{1 - 2.0 / 21 + 1.0 / 66, 1.0 / 21 - 1.0 / 66, 1.0 / 66};
+
+/// How far between smooth, 0, and the table's first row of a rough surface, 1; beyond that too.
+double first_step(double alpha) {
+    const double smooth = std::sqrt(kSmoothAlpha);
+    return (std::sqrt(alpha) - smooth) / (1.0 / (kRoughnesses - 1) - smooth);
+}
+
+/// Nodes are even in the square roots of the cosine and of alpha: albedos vary fastest at grazing angles. The first row
+/// is the smooth surface, exactly, and stands at kSmoothAlpha: there the table goes over into it without a jump.
 class Table {
 public:
     Table() {
         for (int r = 0; r < kRoughnesses; ++r) {
             const double roughness = static_cast<double>(r) / (kRoughnesses - 1);
             for (int c = 0; c < kCosines; ++c) entry(r, c) = make_entry(node_cos(c), roughness * roughness);
-            mean(r) = integrate_row(r);
-            mean_square(r) = integrate_squared_row(r);
+            mean(r) = r == 0 ? kSmoothMean : integrate_row(r);
+            mean_square(r) = r == 0 ? kSmoothMeanSquare : integrate_squared_row(r);
         }
     }
 
     [[nodiscard]] SpecularAlbedo directional(double cos, double alpha) const {
-        const Position r = position(alpha, kRoughnesses);
+        const Position r = position_of_alpha(alpha);
         const Position c = position(cos, kCosines);
         const double c0 = node_cos(c.index);
         const double t = std::clamp((cos - c0) / (node_cos(c.index + 1) - c0), 0.0, 1.0);  // linear in the cosine
-        const SpecularAlbedo low = lerp(t, entry(r.index, c.index), entry(r.index, c.index + 1));
+        const SpecularAlbedo low =
+            r.index == 0 ? smooth_albedo(cos) : lerp(t, entry(r.index, c.index), entry(r.index, c.index + 1));
         const SpecularAlbedo high = lerp(t, entry(r.index + 1, c.index), entry(r.index + 1, c.index + 1));
         return lerp(r.fraction, low, high);
     }
 
     [[nodiscard]] SpecularAlbedo hemispherical(double alpha) const {
-        const Position r = position(alpha, kRoughnesses);
+        const Position r = position_of_alpha(alpha);
         return lerp(r.fraction, mean(r.index), mean(r.index + 1));
     }
 
     [[nodiscard]] SquaredSpecularAlbedo squared(double alpha) const {
-        const Position r = position(alpha, kRoughnesses);
+        const Position r = position_of_alpha(alpha);
         return lerp(r.fraction, mean_square(r.index), mean_square(r.index + 1));
     }
 
@@ -105,6 +117,10 @@ private:
         const double scaled = std::sqrt(std::clamp(x, 0.0, 1.0)) * (nodes - 1);
         const int index = std::min(static_cast<int>(scaled), nodes - 2);
         return {static_cast<std::size_t>(index), scaled - index};
+    }
+    static Position position_of_alpha(double alpha) {
+        const Position even = position(alpha, kRoughnesses);
+        return even.index == 0 ? Position{0, std::max(0.0, first_step(alpha))} : even;
     }
     template <typename Albedo>
     static Albedo lerp(double t, const Albedo& a, const Albedo& b) {
@@ -188,17 +204,18 @@ double mean_lost_albedo(double alpha) {
 double specular_albedo_margin(double cos, double alpha) {
     if (alpha < kSmoothAlpha) return 0;
     const double grazing = std::max(0.0, 1 - cos / 0.2);
-    return 0.003 + 0.06 * grazing * grazing;
+    // The first row is exact; a fifth of the way to the next, interpolation is as wrong as elsewhere.
+    const double fade = std::min(1.0, 5 * first_step(alpha));
+    return fade * (0.003 + 0.06 * grazing * grazing);
 }
 
 SpecularAlbedo mean_specular_albedo(double alpha) {
-    if (alpha < kSmoothAlpha) return {20.0 / 21, 1.0 / 21};  // 2 times the integral of cos (1 - cos)^5 is 1/21
+    if (alpha < kSmoothAlpha) return kSmoothMean;
     return table().hemispherical(alpha);
 }
 
 SquaredSpecularAlbedo mean_squared_specular_albedo(double alpha) {
-    // 2 times the integrals of cos (1 - cos)^5 and cos (1 - cos)^10 are 1/21 and 1/66.
-    if (alpha < kSmoothAlpha) return {1 - 2.0 / 21 + 1.0 / 66, 1.0 / 21 - 1.0 / 66, 1.0 / 66};
+    if (alpha < kSmoothAlpha) return kSmoothMeanSquare;
     return table().squared(alpha);
 }
 

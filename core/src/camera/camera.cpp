@@ -5,6 +5,7 @@
 
 #include <etendue/error.h>
 
+#include "geometry/ray.h"
 #include "math/constants.h"
 #include "math/sampling.h"
 
@@ -104,6 +105,17 @@ Camera::Camera(const CameraDesc& desc, int width, int height, ApertureConform co
         focus_distance_ = desc.focus_distance;
     }
     exposure_scale_ = desc.exposure_scale;
+    check_reach(desc, width, height);
+}
+
+void Camera::check_reach(const CameraDesc& desc, int width, int height) const {
+    const Vec3 window{plane_left_, plane_top_, 0};
+    const Vec3 opposite{plane_left_ + plane_per_pixel_x_ * width, plane_top_ - plane_per_pixel_y_ * height, 0};
+    if (!within_reach(window) || !within_reach(opposite)) fail(desc, "it sees too much: aperture over focal length");
+    if (!within_reach(position_)) fail(desc, "it is too far away");
+    if (!(lens_radius_ <= kFarthest)) fail(desc, "its lens is too large: focal length over f-stop");
+    if (!(focus_distance_ <= kFarthest)) fail(desc, "focus distance is too large");
+    if (!(plane_per_pixel_x_ * plane_per_pixel_y_ > 0)) fail(desc, "it sees too little: aperture over focal length");
 }
 
 double Camera::pdf_lens() const { return has_lens() ? 1 / (kPi * lens_radius_ * lens_radius_) : 1; }

@@ -67,6 +67,9 @@ public:
     /// without a lens.
     [[nodiscard]] std::optional<LensHit> hit_lens(const Vec3& origin, const Vec3& direction, double t_max) const;
 
+    /// Moves the camera.
+    void stand_at(const Vec3& position) { position_ = position; }
+
     [[nodiscard]] bool has_lens() const { return lens_radius_ > 0; }
     [[nodiscard]] bool orthographic() const { return orthographic_; }
     [[nodiscard]] const Vec3& forward() const { return forward_; }
@@ -76,6 +79,8 @@ public:
     [[nodiscard]] double depth(const Vec3& p) const { return dot(p - position_, forward_); }
 
 private:
+    /// What Embree could not trace.
+    void check_reach(const CameraDesc& desc, int width, int height) const;
     /// Continuous pixel coordinates of the ray z0 + t direction.
     [[nodiscard]] Vec2 raster_of(const Vec3& z0, const Vec3& direction) const;
     /// The point of the orthographic camera's plane that sees p.

@@ -16,6 +16,13 @@ struct Ray {
 /// Half a unit in the last place of float, relative: the rounding error of one float operation.
 inline constexpr double kFloatRounding = 0x1p-24;
 
+/// No coordinate may be larger: Embree takes none beyond 1.8e18, half the root of float's range, and may end the
+/// process when it meets one.
+inline constexpr double kFarthest = 1e18;
+
+/// False for NaN.
+inline bool within_reach(const Vec3& p) { return max_component(abs(p)) <= kFarthest; }
+
 namespace detail {
 /// `value` as a float, rounded in the direction of `towards` (a sign; 0: nearest).
 inline double round_to_float(double value, double towards) {

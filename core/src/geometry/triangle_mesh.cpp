@@ -4,6 +4,7 @@
 
 #include <etendue/error.h>
 
+#include "geometry/ray.h"
 #include "geometry/triangulate.h"
 
 namespace etendue {
@@ -93,7 +94,9 @@ void place_points(const MeshDesc& desc, const Transform& parent_from_object, con
                   TriangleMesh& mesh) {
     mesh.points.reserve(desc.points.size() + 1);
     for (const Float3& p : desc.points) mesh.points.push_back(to_float3(parent_from_object.point(Vec3{p})));
-    check_finite(mesh.points, name, "points (after the transform)");
+    for (const Float3& p : mesh.points) {
+        if (!within_reach(Vec3{p})) fail(name, "points are not finite, or too far away, after the transform");
+    }
     mesh.points.push_back({});
 }
 

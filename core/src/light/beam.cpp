@@ -10,12 +10,15 @@
 namespace etendue {
 namespace {
 
+/// Whether unit vectors differ by more than the roundings of a transform: below, the side to which one leans is noise,
+/// and another on every scale.
+bool leans(const Vec3& axis, const Vec3& front) { return length(cross(axis, front)) > 0x1p-44; }
+
 /// n is the axis; s is on the side to which `front` leans, so that rings are summed up from there.
 Frame leaning_frame(const Vec3& axis, const Vec3& front) {
-    const Vec3 across = cross(axis, front);
-    if (across == Vec3{}) return Frame::from_normal(axis);
-    // Of two vectors that differ by a rounding the product points anywhere: make it perpendicular again.
-    const Vec3 s = normalize(cross(normalize(across), axis));
+    if (!leans(axis, front)) return Frame::from_normal(axis);
+    // Of two vectors that differ by little the product is not quite perpendicular: make it so again.
+    const Vec3 s = normalize(cross(normalize(cross(axis, front)), axis));
     return {s, cross(axis, s), axis};
 }
 
@@ -66,7 +69,7 @@ Beam::Beam(const Shaping& shaping, const Vec3& front, const Silhouette& silhouet
         integral_ += power;
     }
     // The edge of a flat light that leans may pass between the azimuths of a ring: leave none without a chance.
-    if (length_squared(cross(front, shaping.axis())) > 0) {
+    if (leans(shaping.axis(), front)) {
         const double least = 1e-3 * total(integral_) / static_cast<double>(weights.size());
         for (double& weight : weights) weight += least;
     }

@@ -6,6 +6,7 @@
 
 #include <etendue/error.h>
 
+#include "geometry/ray.h"
 #include "light/cylinder_light.h"
 #include "light/dark_light.h"
 #include "light/disk_light.h"
@@ -61,9 +62,16 @@ auto naming(const LightDesc& light, Make&& make) {
     }
 }
 
+bool has_place(const LightDesc& light) {
+    return light.kind != LightKind::Distant && light.kind != LightKind::Dome && light.kind != LightKind::Mesh;
+}
+
 Transform checked_transform(const LightDesc& light) {
     check_attributes(light);
-    return naming(light, [&light] { return Transform(light.world_from_light); });
+    const Transform world_from_light = naming(light, [&light] { return Transform(light.world_from_light); });
+    const Vec3 size = max({light.width, light.height, light.length}, {light.radius, light.radius, light.radius});
+    if (has_place(light) && !within_reach(world_from_light.magnitude(size))) fail(light, "it reaches too far away");
+    return world_from_light;
 }
 
 Rgb finite(const LightDesc& light, const Rgb& value) {
@@ -73,7 +81,9 @@ Rgb finite(const LightDesc& light, const Rgb& value) {
 
 /// Radiance of a light of that area, which may be zero: such a light is dark, and cannot be normalised.
 Rgb surface_radiance(const LightDesc& light, double area) {
+    constexpr double kLeastArea = 1e-100;  // weights square densities by area: double must hold that
     if (!std::isfinite(area)) fail(light, "its area is not finite");
+    if (area > 0 && area < kLeastArea) fail(light, "it is too small");
     if (area == 0 && light.normalize) fail(light, "it has no area to normalize by");
     if (area == 0) return {};
     return finite(light, lux_radiance(light, lux_area_size_factor(area)));
@@ -116,8 +126,9 @@ std::unique_ptr<Light> make_sphere(const LightDesc& light, const Transform& worl
                       std::make_unique<PointLight>(world_from_light.translation(),
                                                    finite(light, lux_point_intensity(light, area))));
     }
-    return shaped(light, world_from_light,
-                  std::make_unique<SphereLight>(world_from_light, light.radius, surface_radiance(light, area)));
+    const Rgb radiance = surface_radiance(light, area);
+    if (area == 0) return std::make_unique<DarkLight>();
+    return shaped(light, world_from_light, std::make_unique<SphereLight>(world_from_light, light.radius, radiance));
 }
 
 bool is_line(const LightDesc& light) { return light.radius == 0 || light.treat_as_line; }
@@ -134,9 +145,10 @@ std::unique_ptr<Light> make_cylinder(const LightDesc& light, const Transform& wo
                       std::make_unique<LineLight>(world_from_light.point({-light.length / 2, 0, 0}), segment,
                                                   finite(light, lux_line_intensity(light, area, length(segment)))));
     }
-    return shaped(
-        light, world_from_light,
-        std::make_unique<CylinderLight>(world_from_light, light.length, light.radius, surface_radiance(light, area)));
+    const Rgb radiance = surface_radiance(light, area);
+    if (area == 0) return std::make_unique<DarkLight>();
+    return shaped(light, world_from_light,
+                  std::make_unique<CylinderLight>(world_from_light, light.length, light.radius, radiance));
 }
 
 std::unique_ptr<Light> make_distant(const LightDesc& light, const Transform& world_from_light,

@@ -28,6 +28,8 @@ Transform::Transform(const Matrix4& matrix) {
     }
     const double d = 1 / determinant_;
     inv_ = {Vec3{c0.x, c1.x, c2.x} * d, Vec3{c0.y, c1.y, c2.y} * d, Vec3{c0.z, c1.z, c2.z} * d};
+    // Normals go by the inverse, and what it makes of them must have a length.
+    if (!std::isfinite(length(inv_[0]) + length(inv_[1]) + length(inv_[2]))) throw SceneError("transform is singular");
 }
 
 Transform Transform::inverse() const { return {inv_, m_, -apply(inv_, translation_), 1 / determinant_}; }

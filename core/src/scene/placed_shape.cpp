@@ -7,8 +7,10 @@
 
 #include <etendue/error.h>
 
+#include "geometry/ray.h"
 #include "geometry/tessellate.h"
 #include "scene/known_geometry.h"
+#include "scene/world_origin.h"
 
 namespace etendue {
 namespace {
@@ -53,6 +55,12 @@ void check_sizes(const Revolved& body, const std::string& name) {
     check_size(body.height, "height", name);
 }
 
+void check_reach(const Quadric& quadric, const std::string& name) {
+    const Quadric::Bounds bounds = quadric.bounds();
+    if (!within_reach(bounds.lower) || !within_reach(bounds.upper))
+        throw SceneError(name + ": it reaches too far away");
+}
+
 PlacedGeometry place_geometry(const GeometryDesc& desc, const Transform& parent_from_object, const std::string& name,
                               bool as_mesh) {
     return std::visit(
@@ -63,7 +71,11 @@ PlacedGeometry place_geometry(const GeometryDesc& desc, const Transform& parent_
             } else {
                 check_sizes(geometry, name);
                 if constexpr (std::is_same_v<Kind, SphereDesc>) {
-                    if (!as_mesh) return Quadric{QuadricKind::Sphere, geometry.radius, false, parent_from_object};
+                    if (!as_mesh) {
+                        const Quadric sphere{QuadricKind::Sphere, geometry.radius, false, parent_from_object};
+                        check_reach(sphere, name);
+                        return sphere;
+                    }
                 }
                 return make_triangle_mesh(tessellate(geometry), parent_from_object, name);
             }
@@ -71,9 +83,9 @@ PlacedGeometry place_geometry(const GeometryDesc& desc, const Transform& parent_
         desc);
 }
 
-Transform transform_of(const ShapeDesc& shape) {
+Transform transform_of(const ShapeDesc& shape, const Matrix4& parent_from_object) {
     try {
-        return Transform(shape.parent_from_object);
+        return Transform(parent_from_object);
     } catch (const SceneError& error) {
         throw SceneError(shape.name + ": " + error.what());
     }
@@ -91,12 +103,12 @@ bool is_emissive(const ShapeDesc& shape, const SceneDescription& scene) {
     });
 }
 
-PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh,
-                        const KnownGeometry& known) {
+PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh, const KnownGeometry& known,
+                        const Vec3& origin) {
     check_indices(shape, scene);
     const SharedGeometry& geometry = scene.geometries[static_cast<std::size_t>(shape.geometry)];
     const bool triangles = as_mesh || is_emissive(shape, scene);
-    const Placement placement{geometry.pointer(), shape.parent_from_object, triangles};
+    const Placement placement{geometry.pointer(), relative_to(origin, shape.parent_from_object), triangles};
     PlacedShape placed;
     placed.name = shape.name;
     placed.materials = shape.materials;
@@ -104,7 +116,7 @@ PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, b
     placed.geometry = known.find(placement);
     if (!placed.geometry) {
         placed.geometry = std::make_shared<const PlacedGeometry>(
-            place_geometry(*geometry, transform_of(shape), shape.name, triangles));
+            place_geometry(*geometry, transform_of(shape, placement.parent_from_object), shape.name, triangles));
     }
     if (const auto* mesh = std::get_if<TriangleMesh>(placed.geometry.get())) check_slots(*mesh, shape);
     return placed;

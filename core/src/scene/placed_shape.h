@@ -30,10 +30,10 @@ struct PlacedShape {
     std::vector<int> lights;                         ///< by slot, -1: none; empty: none at all (instanced: see Scene)
 };
 
-/// Checks and places one shape. `as_mesh` asks for triangles even where an exact surface exists. Takes over what
-/// is known. Throws SceneError naming the shape.
+/// Checks and places one shape, relative to `origin` in its parent. `as_mesh` asks for triangles even where an exact
+/// surface exists. Takes over what is known. Throws SceneError naming the shape.
 [[nodiscard]] PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh,
-                                      const KnownGeometry& known);
+                                      const KnownGeometry& known, const Vec3& origin = {});
 
 /// Whether any slot's material emits.
 [[nodiscard]] bool is_emissive(const ShapeDesc& shape, const SceneDescription& scene);

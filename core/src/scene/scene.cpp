@@ -17,17 +17,27 @@
 #include "scene/light_triangles.h"
 #include "scene/material_glow.h"
 #include "scene/media_probe.h"
+#include "scene/world_origin.h"
 #include "texture/udim.h"
 
 namespace etendue {
 namespace {
 
-Transform instance_transform(const InstanceDesc& instance) {
+Transform instance_transform(const InstanceDesc& instance, const Vec3& origin) {
     try {
-        return Transform(instance.world_from_group);
+        return Transform(relative_to(origin, instance.world_from_group));
     } catch (const SceneError& error) {
         throw SceneError(instance.name + ": " + error.what());
     }
+}
+
+/// Embree takes rays from anywhere in the scene into the group, directions and all.
+bool takes_rays_from(const SceneBounds& bounds, const Transform& world_from_group) {
+    const double farthest = max_component(abs(bounds.center)) + bounds.radius;
+    const Transform group_from_world = world_from_group.inverse();
+    return within_reach(group_from_world.magnitude({farthest, farthest, farthest})) &&
+           within_reach(group_from_world.vector_magnitude({1, 1, 1})) &&
+           within_reach(world_from_group.vector_magnitude({1, 1, 1})) && within_reach(world_from_group.translation());
 }
 
 std::vector<const PlacedGeometry*> geometries(const std::vector<PlacedShape>& shapes) {
@@ -64,22 +74,30 @@ std::vector<TextureDesc> all_textures(const SceneDescription& description) {
     return textures;
 }
 
+std::vector<LightDesc> relative_lights(const SceneDescription& description, const Vec3& origin) {
+    std::vector<LightDesc> lights = description.lights;
+    for (LightDesc& light : lights) light.world_from_light = relative_to(origin, light.world_from_light);
+    return lights;
+}
+
 }  // namespace
 
 Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths,
-             const Scene* before)
+             const Vec3& origin, const Scene* before)
     : materials_(description.materials), absorption_(materials_) {
     make_textures(all_textures(description), before);
     for (const MaterialDesc& material : materials_) check_material(material, description.textures.size());
+    const std::vector<LightDesc> lights = relative_lights(description, origin);
     const KnownGeometry known = before != nullptr ? before->known_geometry() : KnownGeometry{};
-    place_shapes(description, known);
-    place_instances(description);
-    place_light_shapes(description, known);
+    place_shapes(description, origin, known);
+    place_instances(description, origin);
+    place_light_shapes(lights, known);
     build_accel(before);
-    const SceneBounds bounds = find_bounds(lens_points);
-    make_lights(description, bounds);
+    bounds_ = find_bounds(lens_points);
+    check_instances(description);
+    make_lights(lights, description.textures.size());
     make_emissive_lights();
-    light_sampler_ = std::make_unique<LightSampler>(lights_, bounds);
+    light_sampler_ = std::make_unique<LightSampler>(lights_, bounds_);
     if (absorbs()) {
         for (const auto& light : lights_) light_media_.push_back(media_before(*this, *light));
     }
@@ -100,10 +118,10 @@ KnownGeometry Scene::known_geometry() const {
     return known;
 }
 
-void Scene::place_shapes(const SceneDescription& description, const KnownGeometry& known) {
+void Scene::place_shapes(const SceneDescription& description, const Vec3& origin, const KnownGeometry& known) {
     const std::vector<int> light_of_shape = mesh_light_shapes(description);
     for (std::size_t i = 0; i < description.shapes.size(); ++i) {
-        shapes_.push_back(place_shape(description.shapes[i], description, light_of_shape[i] >= 0, known));
+        shapes_.push_back(place_shape(description.shapes[i], description, light_of_shape[i] >= 0, known, origin));
     }
     for (const GroupDesc& group : description.groups) {
         std::vector<PlacedShape> shapes;
@@ -112,22 +130,22 @@ void Scene::place_shapes(const SceneDescription& description, const KnownGeometr
     }
 }
 
-void Scene::place_instances(const SceneDescription& description) {
+void Scene::place_instances(const SceneDescription& description, const Vec3& origin) {
     for (const InstanceDesc& instance : description.instances) {
         if (instance.group < 0 || instance.group >= static_cast<int>(groups_.size())) {
             throw SceneError(instance.name + ": group index " + std::to_string(instance.group) + " is out of range");
         }
-        instances_.push_back({static_cast<std::size_t>(instance.group), instance_transform(instance), {}});
+        instances_.push_back({static_cast<std::size_t>(instance.group), instance_transform(instance, origin), {}});
     }
 }
 
-void Scene::place_light_shapes(const SceneDescription& description, const KnownGeometry& known) {
+void Scene::place_light_shapes(const std::vector<LightDesc>& lights, const KnownGeometry& known) {
     std::size_t number = 0;
-    for (std::size_t i = 0; i < description.lights.size(); ++i) {
-        std::optional<LightShape> shape = make_light_shape(description.lights[i]);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        std::optional<LightShape> shape = make_light_shape(lights[i]);
         if (!shape) continue;
         PlacedShape placed;
-        placed.name = description.lights[i].name;
+        placed.name = lights[i].name;
         placed.geometry = known.light_shape(number++, std::move(*shape));
         placed.materials = {-1};
         placed.lights = {static_cast<int>(i)};
@@ -160,6 +178,13 @@ SceneBounds Scene::find_bounds(const std::vector<Vec3>& lens_points) const {
     return {center, radius > 0 ? radius : 1};
 }
 
+void Scene::check_instances(const SceneDescription& description) const {
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        if (takes_rays_from(bounds_, instances_[i].world_from_group)) continue;
+        throw SceneError(description.instances[i].name + ": it is too small, too large or too far away");
+    }
+}
+
 int Scene::add_light(std::unique_ptr<Light> light) {
     const int index = static_cast<int>(lights_.size());
     if (light->infinite()) infinite_lights_.push_back(index);
@@ -167,12 +192,12 @@ int Scene::add_light(std::unique_ptr<Light> light) {
     return index;
 }
 
-void Scene::make_lights(const SceneDescription& description, const SceneBounds& bounds) {
-    auto next_texture = static_cast<int>(description.textures.size());
-    for (const LightDesc& desc : description.lights) {
+void Scene::make_lights(const std::vector<LightDesc>& lights, std::size_t material_textures) {
+    auto next_texture = static_cast<int>(material_textures);
+    for (const LightDesc& desc : lights) {
         if (desc.kind != LightKind::Mesh) {
             const bool textured = lux_texture(desc).has_value();
-            add_light(make_light(desc, bounds,
+            add_light(make_light(desc, bounds_,
                                  textured ? std::make_shared<TextureImage>(*textures_, next_texture++) : nullptr));
             continue;
         }
@@ -187,7 +212,7 @@ void Scene::make_lights(const SceneDescription& description, const SceneBounds& 
                             add_light(make_mesh_light(desc, light_triangles(mesh, -1, {}), {})));
     }
     // The description's lights keep their indices: those of further slots follow.
-    for (const LightDesc& desc : description.lights) {
+    for (const LightDesc& desc : lights) {
         if (desc.kind != LightKind::Mesh || !desc.tinted_by_material) continue;
         PlacedShape& shape = shapes_[static_cast<std::size_t>(desc.shape)];
         for (std::size_t slot = 1; slot < shape.materials.size(); ++slot) {

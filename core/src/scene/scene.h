@@ -35,10 +35,11 @@ struct RayEnd {
 class Scene {
 public:
     /// `lens_points` are positions that light must be able to reach besides the geometry (cameras with a lens). Without
-    /// `light_paths` nobody will ask where these had best go, and emission() is each light's own. Throws SceneError or
-    /// FileError naming the prim or file. Takes over what an earlier scene, `before`, has built alike.
+    /// `light_paths` nobody will ask where these had best go, and emission() is each light's own. All positions, those
+    /// of `lens_points` too, are relative to `origin` (world_origin.h). Takes over what an earlier scene, `before`, has
+    /// built alike. Throws SceneError or FileError naming the prim or file.
     Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths = true,
-          const Scene* before = nullptr);
+          const Vec3& origin = {}, const Scene* before = nullptr);
     // Lights refer to the textures and materials in here.
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
@@ -49,6 +50,8 @@ public:
     [[nodiscard]] bool visible(const RayEnd& a, const RayEnd& b) const;
     /// Whether nothing lies from `a` along the unit `direction`.
     [[nodiscard]] bool sees_infinity(const RayEnd& a, const Vec3& direction) const;
+
+    [[nodiscard]] const SceneBounds& bounds() const { return bounds_; }
 
     /// Surfaces without a material (lights' own shapes) absorb everything.
     [[nodiscard]] static bool scatters(const SurfaceInteraction& si) { return si.material >= 0; }
@@ -84,14 +87,15 @@ private:
     };
 
     void make_textures(std::vector<TextureDesc> descs, const Scene* before);
-    void place_shapes(const SceneDescription& description, const KnownGeometry& known);
-    void place_instances(const SceneDescription& description);
-    void place_light_shapes(const SceneDescription& description, const KnownGeometry& known);
+    void place_shapes(const SceneDescription& description, const Vec3& origin, const KnownGeometry& known);
+    void place_instances(const SceneDescription& description, const Vec3& origin);
+    void place_light_shapes(const std::vector<LightDesc>& lights, const KnownGeometry& known);
     [[nodiscard]] KnownGeometry known_geometry() const;
     [[nodiscard]] AccelInput accel_input() const;
     void build_accel(const Scene* before);
+    void check_instances(const SceneDescription& description) const;
     [[nodiscard]] SceneBounds find_bounds(const std::vector<Vec3>& lens_points) const;
-    void make_lights(const SceneDescription& description, const SceneBounds& bounds);
+    void make_lights(const std::vector<LightDesc>& lights, std::size_t material_textures);
     /// A mesh light's part in one material slot, tinted by that slot's material.
     [[nodiscard]] std::unique_ptr<Light> make_tinted_light(const LightDesc& desc, const PlacedShape& shape,
                                                            std::size_t slot) const;
@@ -110,6 +114,7 @@ private:
     std::vector<Instance> instances_;
     std::vector<std::unique_ptr<Light>> lights_;
     std::vector<int> infinite_lights_;
+    SceneBounds bounds_;  ///< of all that is finite, lenses included
     std::unique_ptr<LightSampler> light_sampler_;
     EmissionAim emission_;
     std::shared_ptr<const EmbreeAccel> accel_;

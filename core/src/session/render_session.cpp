@@ -15,6 +15,8 @@
 #include "film/film.h"
 #include "integrator/integrator.h"
 #include "scene/media_probe.h"
+#include "scene/off_surfaces.h"
+#include "scene/world_origin.h"
 #include "session/pass.h"
 #include "session/validate_settings.h"
 
@@ -23,10 +25,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Camera make_camera(const SceneDescription& scene, const RenderSettings& settings) {
+Vec3 checked_origin(const SceneDescription& scene, const RenderSettings& settings) {
     validate_settings(settings, scene);
-    return Camera(scene.cameras[static_cast<std::size_t>(settings.camera)], settings.width, settings.height,
-                  settings.conform);
+    return world_origin(scene, scene.cameras[static_cast<std::size_t>(settings.camera)]);
+}
+
+Camera make_camera(const SceneDescription& scene, const RenderSettings& settings, const Vec3& origin) {
+    CameraDesc camera = scene.cameras[static_cast<std::size_t>(settings.camera)];
+    camera.world_from_camera = relative_to(origin, camera.world_from_camera);
+    return Camera(camera, settings.width, settings.height, settings.conform);
+}
+
+Camera off_surfaces(const Scene& scene, Camera camera) {
+    camera.stand_at(off_surfaces(scene, camera.position()));
+    return camera;
 }
 
 std::vector<Vec3> lens_points(const Camera& camera) {
@@ -56,10 +68,11 @@ public:
     Impl(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback, const Impl* before)
         : settings_(settings),
           callback_(std::move(callback)),
-          camera_(make_camera(scene, settings_)),
+          origin_(checked_origin(scene, settings_)),
           arena_(thread_count(settings_)),
-          scene_(scene, lens_points(camera_), traces_light_paths(settings_),
+          scene_(scene, lens_points(make_camera(scene, settings_, origin_)), traces_light_paths(settings_), origin_,
                  before != nullptr ? &before->scene_ : nullptr),
+          camera_(off_surfaces(scene_, make_camera(scene, settings_, origin_))),
           integrator_(make_integrator(make_context(scene_, camera_, settings_))),
           runner_(*integrator_, render_window(settings_)),
           film_(settings_, render_window(settings_), integrator_->image_strategies()) {}
@@ -202,9 +215,10 @@ private:
 
     RenderSettings settings_;
     ProgressCallback callback_;
-    Camera camera_;
+    Vec3 origin_;  ///< from which positions are measured
     tbb::task_arena arena_;
     Scene scene_;
+    Camera camera_;
     std::unique_ptr<Integrator> integrator_;
     PassRunner runner_;
     Film film_;

@@ -360,19 +360,35 @@ TEST(SpecularAlbedo, MarginCoversTheTablesError) {
     for (int i = 0; i < samples(1000); ++i) {
         double cos = rng.next_1d();
         if (i % 2 == 0) cos = cos * cos * cos;
-        const double roughness = i % 3 == 0 ? std::pow(rng.next_1d(), 2) : rng.next_1d();
+        double roughness = rng.next_1d();
+        if (i % 3 == 0) roughness = roughness * roughness;
+        if (i % 4 == 0) roughness = 0.003 + 0.06 * roughness;  // between smooth and the first row
         const double alpha = roughness * roughness;
         if (alpha < kSmoothAlpha || cos < 1e-6) continue;
         const SpecularAlbedo truth = true_albedo(cos, alpha);
         const SpecularAlbedo table = specular_albedo(cos, alpha);
         const double margin = specular_albedo_margin(cos, alpha);
-        EXPECT_LE(truth.of_f90, table.of_f90 + margin) << "cos " << cos << " alpha " << alpha;
-        EXPECT_LE(truth.of_f0 + truth.of_f90, table.of_f0 + table.of_f90 + margin)
+        constexpr double kQuadrature = 1e-6;  // of the truth, where the margin is nothing
+        EXPECT_LE(truth.of_f90, table.of_f90 + margin + kQuadrature) << "cos " << cos << " alpha " << alpha;
+        EXPECT_LE(truth.of_f0 + truth.of_f90, table.of_f0 + table.of_f90 + margin + kQuadrature)
             << "cos " << cos << " alpha " << alpha;
         if (cos > 0.2) {
             EXPECT_NEAR(truth.of_f0 + truth.of_f90, table.of_f0 + table.of_f90, 0.004);
         }
     }
+}
+
+/// What lies under a rough layer must not grow dark when the layer ceases to be smooth.
+TEST(SpecularAlbedo, GoesOverIntoTheSmoothOne) {
+    const double rough = kSmoothAlpha * (1 + 1e-12);
+    const double smooth = kSmoothAlpha * (1 - 1e-12);
+    for (double cos : {0.0, 1e-4, 0.013, 0.1, 0.37, 0.8, 1.0}) {
+        EXPECT_NEAR(specular_albedo(cos, rough).of_f0, specular_albedo(cos, smooth).of_f0, 1e-10) << cos;
+        EXPECT_NEAR(specular_albedo(cos, rough).of_f90, specular_albedo(cos, smooth).of_f90, 1e-10) << cos;
+        EXPECT_NEAR(specular_albedo_margin(cos, rough), 0, 1e-10) << cos;
+    }
+    EXPECT_NEAR(mean_specular_albedo(rough).of_f90, mean_specular_albedo(smooth).of_f90, 1e-10);
+    EXPECT_NEAR(mean_squared_specular_albedo(rough).of_f0_f90, mean_squared_specular_albedo(smooth).of_f0_f90, 1e-10);
 }
 
 TEST(SpecularAlbedo, MeanIsTheIntegralOfTheDirectionalOne) {

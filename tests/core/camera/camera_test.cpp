@@ -166,6 +166,18 @@ TEST(Camera, ErrorsNameTheCamera) {
     expect_error([](CameraDesc& c) { c.focus_distance = -2; });
     expect_error([](CameraDesc& c) { c.exposure_scale = -2; });
     expect_error([](CameraDesc& c) { c.world_from_camera.m[5] = 0; });
+    // What Embree cannot trace.
+    expect_error([](CameraDesc& c) { c.world_from_camera.m[3] = 2e18; });
+    expect_error([](CameraDesc& c) { c.horizontal_aperture = 1e21; });
+    expect_error([](CameraDesc& c) { c.focal_length = 1e300; });
+    expect_error([](CameraDesc& c) {
+        c.f_stop = 1e-20;
+        c.focus_distance = 1;
+    });
+    expect_error([](CameraDesc& c) {
+        c.f_stop = 2;
+        c.focus_distance = 1e20;
+    });
     EXPECT_THROW(Camera(CameraDesc{}, 0, 48, ExpandAperture), SettingsError);
 }
 

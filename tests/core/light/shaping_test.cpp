@@ -195,6 +195,27 @@ TEST(Shaping, LeaningFlatLightsLoseNoDirection) {
     }
 }
 
+/// The normal of a lamp that looks along its beam differs from the axis by roundings, other ones at every scale: they
+/// must not turn the beam's samples round.
+TEST(Shaping, AlignedBeamsAreSampledAlikeAtAnyScale) {
+    const auto directions = [](double scale) {
+        Matrix4 leaning = test::look_at({0.6, 0.8, 0}, {0.3, -1, 0});
+        for (std::size_t i = 0; i < 12; ++i) leaning.m[i] *= scale;
+        const LightDesc desc = test::shaped(test::light_desc(LightKind::Disk, leaning), 30, 0.3, 0);
+        const auto light = make_light(desc, test::kBounds);
+        std::vector<Vec3> all;
+        for (int i = 0; i < 32; ++i) all.push_back(light->sample_emission({0.3, 0.4}, {0.5, (i + 0.5) / 32}).direction);
+        return all;
+    };
+    const std::vector<Vec3> expected = directions(1);
+    for (const double scale : {1e-6, 3e-4, 0.7, 1e3, 1e6}) {
+        const std::vector<Vec3> actual = directions(scale);
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            EXPECT_LT(length(actual[i] - expected[i]), 1e-14) << scale;
+        }
+    }
+}
+
 /// Of the last directions of a hard cone, the density may already know nothing.
 TEST(Shaping, EdgesOfHardConesAreFinite) {
     const EmissionAim aim({{{0, 0, -4}, 0.5}});

@@ -92,6 +92,7 @@ TEST(Transform, GivesEmbreeItsColumns) {
 
 TEST(Transform, RefusesWhatCannotBeInverted) {
     EXPECT_THROW(Transform(scaling(1, 0, 1)), SceneError);
+    EXPECT_THROW(Transform(scaling(1, 1e-200, 1)), SceneError);  // normals would have no length
     // Flattened along a direction that is no axis: rounding leaves a determinant of 1e-17, not 0.
     const Frame f = Frame::from_normal(normalize(Vec3{1, 2, 3}));
     const auto flatten = [&](const Vec3& axis) {

@@ -149,6 +149,27 @@ TEST(SceneError, NamesThePrimOfBadPlacements) {
     });
 }
 
+/// Embree ends the process when a ray starts farther away than 1.8e18.
+TEST(SceneError, NamesThePrimThatIsTooFarAway) {
+    expect_complaints({
+        {[](auto& s) { s.shapes[0].parent_from_object.m[3] = 2e18; }, "/shape_0", "too far away"},
+        {[](auto& s) { s.geometries[0] = SphereDesc{2e18}; }, "/shape_0", "too far away"},
+        {[](auto& s) { std::get<MeshDesc>(s.geometries[0]).points[0][1] = 2e18F; }, "/shape_0", "too far away"},
+        {[](auto& s) { s.instances[0].world_from_group.m[3] = 2e18; }, "/instance", "too far away"},
+        {[](auto& s) { s.instances[0].world_from_group.m[0] = 1e-19; }, "/instance", "too small"},
+        {[](auto& s) {
+             s.lights[0].kind = LightKind::Sphere;
+             s.lights[0].world_from_light.m[3] = 2e18;
+         },
+         "/mesh_light", "too far away"},
+        {[](auto& s) {
+             s.lights[0].kind = LightKind::Rect;
+             s.lights[0].width = 1e-120;
+         },
+         "/mesh_light", "too small"},
+    });
+}
+
 TEST(SceneError, NamesThePrimOfBadSizes) {
     const double inf = std::numeric_limits<double>::infinity();
     const auto with = [](const GeometryDesc& geometry) {

@@ -1,0 +1,110 @@
+#include "scene/world_origin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "math/constants.h"
+
+namespace etendue {
+namespace {
+
+struct Box {
+    Vec3 lower{kInfinity, kInfinity, kInfinity};
+    Vec3 upper{-kInfinity, -kInfinity, -kInfinity};
+
+    void add(const Vec3& p) {
+        lower = min(lower, p);
+        upper = max(upper, p);
+    }
+    [[nodiscard]] bool empty() const { return !(lower.x <= upper.x); }
+};
+
+Vec3 place(const Matrix4& matrix, const Vec3& p) {
+    const auto& m = matrix.m;
+    return Vec3{m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3], m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
+                m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]} /
+           m[15];
+}
+
+void add_placed(const Box& object, const Matrix4& matrix, Box& box) {
+    if (object.empty()) return;
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto& [l, u] = object;
+        box.add(place(matrix,
+                      {(corner & 1) != 0 ? u.x : l.x, (corner & 2) != 0 ? u.y : l.y, (corner & 4) != 0 ? u.z : l.z}));
+    }
+}
+
+Box about_origin(double half_width) {
+    return {{-half_width, -half_width, -half_width}, {half_width, half_width, half_width}};
+}
+
+Box extent(const MeshDesc& mesh) {
+    Box box;
+    for (const Float3& p : mesh.points) box.add(Vec3{p});
+    return box;
+}
+Box extent(const SphereDesc& sphere) { return about_origin(sphere.radius); }
+Box extent(const CubeDesc& cube) { return about_origin(cube.size / 2); }
+Box extent(const PlaneDesc& plane) { return about_origin(std::max(plane.width, plane.length) / 2); }
+template <typename Revolved>
+Box extent(const Revolved& body) {
+    return about_origin(body.radius + body.height / 2);
+}
+
+void add_shapes(const std::vector<ShapeDesc>& shapes, const std::vector<Box>& geometries, Box& box) {
+    for (const ShapeDesc& shape : shapes) {
+        const auto geometry = static_cast<std::size_t>(shape.geometry);
+        if (geometry < geometries.size()) add_placed(geometries[geometry], shape.parent_from_object, box);
+    }
+}
+
+void add_instances(const SceneDescription& scene, const std::vector<Box>& geometries, Box& box) {
+    std::vector<Box> groups;
+    for (const GroupDesc& group : scene.groups) add_shapes(group.shapes, geometries, groups.emplace_back());
+    for (const InstanceDesc& instance : scene.instances) {
+        const auto group = static_cast<std::size_t>(instance.group);
+        if (group < groups.size()) add_placed(groups[group], instance.world_from_group, box);
+    }
+}
+
+/// By their places: a lamp is not what a scene's size is measured by.
+void add_lights(const SceneDescription& scene, Box& box) {
+    for (const LightDesc& light : scene.lights) {
+        const bool has_place =
+            light.kind != LightKind::Distant && light.kind != LightKind::Dome && light.kind != LightKind::Mesh;
+        if (has_place) box.add(place(light.world_from_light, {}));
+    }
+}
+
+}  // namespace
+
+Vec3 world_origin(const SceneDescription& scene, const CameraDesc& camera) {
+    std::vector<Box> geometries;
+    for (const SharedGeometry& geometry : scene.geometries) {
+        geometries.push_back(std::visit([](const auto& g) { return extent(g); }, *geometry));
+    }
+    Box box;
+    box.add(place(camera.world_from_camera, {}));
+    add_shapes(scene.shapes, geometries, box);
+    add_instances(scene, geometries, box);
+    add_lights(scene, box);
+
+    const double step = std::exp2(std::ceil(std::log2(max_component(box.upper - box.lower))) + 1);
+    const Vec3 center = (box.lower + box.upper) * 0.5;
+    const Vec3 origin =
+        Vec3{std::round(center.x / step), std::round(center.y / step), std::round(center.z / step)} * step;
+    return is_finite(origin) ? origin : Vec3{};
+}
+
+Matrix4 relative_to(const Vec3& origin, Matrix4 world_from_object) {
+    auto& m = world_from_object.m;
+    m[3] -= origin.x * m[15];
+    m[7] -= origin.y * m[15];
+    m[11] -= origin.z * m[15];
+    return world_from_object;
+}
+
+}  // namespace etendue

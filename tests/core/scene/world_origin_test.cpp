@@ -1,0 +1,87 @@
+// From where positions are measured: the world's origin for scenes about it, next to the scene for others.
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/math/random_math.h"
+#include "scene/world_origin.h"
+#include "support/scene_builder.h"
+
+namespace etendue::test {
+namespace {
+
+/// A box of half-width 1, a camera 3 away from its middle.
+SceneBuilder box() {
+    SceneBuilder b;
+    b.open_box(b.diffuse(0.5));
+    b.camera({0, 0, 3}, {0, 0, 0}, 40);
+    return b;
+}
+
+SceneDescription far_box(const Vec3& offset) {
+    SceneDescription scene = box().scene();
+    for (ShapeDesc& shape : scene.shapes) shape.parent_from_object = translation(offset);
+    scene.cameras[0].world_from_camera = translation(offset + Vec3{0, 0, 3});
+    return scene;
+}
+
+Vec3 origin_of(const SceneDescription& scene) { return world_origin(scene, scene.cameras[0]); }
+
+TEST(WorldOrigin, StaysWhereTheSceneIsAboutIt) {
+    EXPECT_EQ(origin_of(box().scene()), Vec3{});
+    // Its own size away still.
+    EXPECT_EQ(origin_of(far_box({2, -1.9, 2})), Vec3{});
+    EXPECT_EQ(origin_of(far_box({0, 0, -3})), Vec3{});
+}
+
+TEST(WorldOrigin, FollowsTheSceneInWholeSteps) {
+    const Vec3 near = origin_of(far_box({1e6, -3e5, 0}));
+    EXPECT_LT(length(near - Vec3{1e6, -3e5, 0}), 8);
+    for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(std::fmod(near[axis], 8), 0);
+    const Vec3 moved_by_steps = origin_of(far_box({1e6 + 0x1p20, -3e5, -0x1p30}));
+    EXPECT_EQ(moved_by_steps, (near + Vec3{0x1p20, 0, -0x1p30}));
+}
+
+TEST(WorldOrigin, CountsInstancesAndLampsButNoSkies) {
+    SceneDescription scene;
+    scene.cameras = far_box({1e6, 0, 0}).cameras;
+    LightDesc light;
+    light.kind = LightKind::Dome;
+    scene.lights = {light};
+    EXPECT_EQ(origin_of(scene), Vec3{});  // a camera alone has no size
+    light.kind = LightKind::Sphere;
+    light.world_from_light = translation({1e6, 0, 0});
+    scene.lights.push_back(light);
+    EXPECT_LT(length(origin_of(scene) - Vec3{1e6, 0, 0}), 8);
+    scene.lights.pop_back();
+    scene.geometries = {CubeDesc{2}};
+    scene.groups = {{"/group", {{"/group/cube", 0, {0}, {}}}}};
+    scene.instances = {{"/instance", 0, translation({1e6, 0, 0})}};
+    EXPECT_LT(length(origin_of(scene) - Vec3{1e6, 0, 0}), 8);
+}
+
+/// Complaints are others' business.
+TEST(WorldOrigin, TakesWhatIsWrong) {
+    SceneDescription scene = far_box({1e6, 0, 0});
+    scene.shapes[0].geometry = 99;
+    scene.shapes[1].geometry = -1;
+    EXPECT_LT(length(origin_of(scene) - Vec3{1e6, 0, 0}), 8);
+    scene.cameras[0].world_from_camera.m[3] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(is_finite(origin_of(scene)));
+    scene.cameras[0].world_from_camera.m[15] = 0;
+    EXPECT_TRUE(is_finite(origin_of(scene)));
+}
+
+TEST(WorldOrigin, RelativePlacementsHeedTheLastElement) {
+    Matrix4 doubled = translation({12, 14, 16});
+    doubled.m[15] = 2;
+    const Matrix4 relative = relative_to({1, 2, 3}, doubled);
+    EXPECT_EQ(relative.m[3], 10);
+    EXPECT_EQ(relative.m[7], 10);
+    EXPECT_EQ(relative.m[11], 10);
+}
+
+}  // namespace
+}  // namespace etendue::test
