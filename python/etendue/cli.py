@@ -7,6 +7,7 @@ import os
 import re
 import sys
 import warnings
+from math import isfinite
 from typing import Annotated, Any
 
 import numpy as np
@@ -21,7 +22,7 @@ from etendue.comparison.figures import comparison_table
 from etendue.exit_status import DIFFERENT, INTERRUPTED
 from etendue.image import Image
 from etendue.inspection_table import inspection_table
-from etendue.progress import duration, progress_display
+from etendue.progress import duration, error_text, progress_display
 from etendue.settings import AOVS, DEFAULT_SAMPLES, FILTERS, INTEGRATORS, RenderOptions
 from etendue.validation.command import validate_command
 
@@ -125,11 +126,17 @@ def render(
     spp: Annotated[
         int | None,
         typer.Option(
-            help=f"Samples per pixel; default {DEFAULT_SAMPLES}, or no limit with --time."
+            help=f"Samples per pixel; default {DEFAULT_SAMPLES}, or no limit with another limit."
         ),
     ] = None,
     time: Annotated[
         float | None, typer.Option(help="Seconds; whichever limit comes first ends the render.")
+    ] = None,
+    error: Annotated[
+        float | None,
+        typer.Option(
+            help="Relative error that is good enough, from the picture's own noise: 0.05 for 5 %."
+        ),
     ] = None,
     integrator: Annotated[str, typer.Option(help="|".join(INTEGRATORS))] = "bdpt",
     max_depth: Annotated[
@@ -177,6 +184,7 @@ def render(
         crop=_numbers("crop", crop, ",", 4),
         spp=spp,
         time=time,
+        error=error,
         integrator=integrator,
         max_depth=max_depth,
         seed=seed,
@@ -198,6 +206,8 @@ def render(
     statistics = image.statistics
     told = "interrupted, wrote" if interrupted else "wrote"
     samples = f"{statistics.passes} spp" if statistics.passes else "less than 1 spp"
+    if isfinite(statistics.error):
+        samples += f", {error_text(statistics.error)}"
     if interrupted or not quiet:
         _say(
             f"{told} {output}: {image.width}x{image.height}, {samples}, "

@@ -158,6 +158,39 @@ def test_time_limit(stage: etendue.Stage) -> None:
     assert image.statistics.passes > 2
 
 
+def test_error_target(stage: etendue.Stage) -> None:
+    """Alone it sets no limit to samples; with one, whichever comes first counts."""
+    rough = stage.render(resolution=(16, 12), error=0.04)
+    fine = stage.render(resolution=(16, 12), error=0.02)
+    assert 0.02 < rough.statistics.error < 0.04
+    assert 0.01 < fine.statistics.error < 0.02
+    assert fine.statistics.passes > rough.statistics.passes
+    few = stage.render(resolution=(16, 12), error=1e-6, spp=10).statistics
+    assert few.passes == 10
+    assert 0.01 < few.error < np.inf
+    brief = stage.render(resolution=(16, 12), error=1e-6, time=0.2).statistics
+    assert brief.seconds >= 0.2
+
+
+def test_error_is_unknown_unless_asked_for(stage: etendue.Stage) -> None:
+    image = stage.render(resolution=(16, 12), spp=8)
+    assert image.statistics.error == np.inf
+    assert "etendue:error" not in image.metadata
+    known = stage.render(resolution=(16, 12), spp=8, aovs=["variance"])
+    assert known.statistics.error < np.inf
+    assert known.metadata["etendue:error"] == f"{known.statistics.error:.4g}"
+
+
+def test_error_shows_in_progress(stage: etendue.Stage) -> None:
+    told: list[etendue.RenderProgress] = []
+    image = stage.render(resolution=(16, 12), error=0.1, progress=told.append)
+    assert told[0].error == np.inf
+    assert told[0].fraction == 0
+    assert told[-1].error == image.statistics.error
+    assert told[-1].fraction == 1
+    assert {progress.passes_total for progress in told} == {0}
+
+
 def test_wrong_on_purpose(stage: etendue.Stage) -> None:
     stage.render(**SMALL, adjoint=["refraction"], strategies=["emission_hit", "direct_light"])
 
@@ -260,6 +293,10 @@ def test_orthographic_camera(build: StageBuilder, integrator: str) -> None:
         ({"spp": 0}, "never end"),
         ({"time": -1.0}, "time is -1.0"),
         ({"time": float("nan")}, "time is nan"),
+        ({"error": 0.0}, "error is 0.0"),
+        ({"error": -0.1}, "error is -0.1"),
+        ({"error": float("nan")}, "error is nan"),
+        ({"error": float("inf")}, "error is inf"),
         ({"max_depth": -1}, "max_depth is -1"),
         ({"threads": -1}, "threads is -1"),
     ],

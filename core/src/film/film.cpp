@@ -27,7 +27,7 @@ Film::Film(const RenderSettings& settings, const PixelWindow& window, std::vecto
     camera_.resize(pixels);
     count_.resize(pixels);
     if (asks_for(settings, {Aov::Alpha, Aov::Depth, Aov::Normal, Aov::Albedo})) surface_.resize(pixels);
-    if (asks_for(settings, {Aov::Variance})) replicates_.resize(pixels);
+    if (keeps_replicates(settings)) replicates_.resize(pixels);
 }
 
 void Film::add(const FilmTile& tile) {
@@ -85,20 +85,21 @@ Rgb Film::color(std::size_t pixel) const {
 }
 
 Rgb Film::variance(std::size_t pixel) const {
-    const auto ended = static_cast<std::uint64_t>(statistics_.passes);
-    const std::uint64_t replicates = std::min(ended, kReplicates);
-    if (replicates < 2) return Rgb(std::numeric_limits<double>::infinity());
+    const ReplicateCounts counts(static_cast<std::uint64_t>(statistics_.passes));
+    if (counts.replicates < 2) return Rgb(std::numeric_limits<double>::infinity());
     const ReplicateSums& sums = replicates_[pixel];
-    const auto passes = static_cast<double>(ended);
-    Rgb mean;
-    for (const Rgb& sum : sums.passes) mean += sum / passes;
-    Rgb deviation;
-    for (std::uint64_t r = 0; r < replicates; ++r) {
-        const auto n = static_cast<double>(passes_of_replicate(r, ended));
-        const Rgb off = sums.passes[r] / n - mean;
-        deviation += off * off * n;
-    }
-    return deviation / (static_cast<double>(replicates - 1) * passes);
+    const Rgb mean = mean_of(sums, counts);
+    Rgb variance;
+    for (std::uint64_t r = 0; r < counts.replicates; ++r) variance += variance_by(r, sums, mean, counts);
+    return variance;
+}
+
+bool Film::shows_error() const {
+    return !replicates_.empty() && static_cast<std::uint64_t>(statistics_.passes) >= kReplicates;
+}
+
+RelativeError Film::relative_error() const {
+    return {replicates_, window_.x1 - window_.x0, static_cast<std::uint64_t>(statistics_.passes)};
 }
 
 void Film::fill(Aov aov, std::span<float> out) const {
