@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,7 +45,6 @@ private:
     void add_samples(const FilmTile& tile);
     void add_splat(const Splat& splat);
     [[nodiscard]] Rgb color(std::size_t pixel) const;
-    [[nodiscard]] Rgb variance(std::size_t pixel) const;
     void fill(Aov aov, std::span<float> out) const;
 
     RenderSettings settings_;
@@ -53,8 +53,8 @@ private:
     std::vector<Rgb> camera_;
     std::vector<Rgb> splat_;  ///< empty until a splat arrives
     std::vector<std::uint32_t> count_;
-    std::vector<SurfaceSums> surface_;       ///< empty unless asked for
-    std::vector<ReplicateSums> replicates_;  ///< empty unless variance or an error is asked for
+    std::vector<SurfaceSums> surface_;         ///< empty unless asked for
+    std::optional<ReplicateSums> replicates_;  ///< only if variance or an error is asked for
     StrategyPlanes strategies_;
     std::uint64_t pass_light_paths_ = 0;
     RenderStatistics statistics_;

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include "film/replicate_sums.h"
 
@@ -43,8 +43,8 @@ private:
 /// neighbours by as much as their differences are noise (Wiener's filter, as Lee 1980 takes it to pictures).
 class RelativeError {
 public:
-    /// Of the pixels' sums row by row, after so many complete passes: one of every replicate at least.
-    RelativeError(std::span<const ReplicateSums> pixels, int width, std::uint64_t passes);
+    /// Needs a complete pass of every replicate.
+    RelativeError(const ReplicateSums& sums, int width);
 
     [[nodiscard]] int height() const { return height_; }
     /// Of rows [begin, end).
@@ -55,21 +55,21 @@ private:
     static constexpr std::uint64_t kTogether = 2;
     static constexpr std::uint64_t kGroups = kReplicates / kTogether;
 
-    /// Means over channels, of one pixel and for one group.
+    /// One pixel, means over channels; a value for each group.
     struct View {
-        double deviation = 0;  ///< the group's share of the variance
-        double mean = 0;       ///< by the other replicates
-        double noise = 0;      ///< variance of that mean
+        std::array<double, kGroups> deviation{};  ///< the group's share of the variance
+        std::array<double, kGroups> mean{};       ///< by the other replicates
+        std::array<double, kGroups> noise{};      ///< variance of that mean
     };
-    using Views = std::array<View, kGroups>;
+    class Rows;
 
-    [[nodiscard]] Views look(const ReplicateSums& sums) const;
-    [[nodiscard]] double smoothed(const std::vector<Views>& rows, int height, int x, int y, std::uint64_t group) const;
+    [[nodiscard]] View look(std::size_t pixel) const;
 
-    std::span<const ReplicateSums> pixels_;
+    const ReplicateSums& sums_;
     int width_;
     int height_;
-    ReplicateCounts counts_;
+    std::array<double, kReplicates> passes_{};    ///< of each
+    std::array<double, kReplicates> per_pass_{};  ///< one over it
     double darkest_squared_ = 0;
 };
 

@@ -1,44 +1,44 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "film/replicates.h"
 #include "math/rgb.h"
 
 namespace etendue {
 
-/// What a pixel keeps for its variance: the present pass, and the sum over the passes of each replicate.
-struct ReplicateSums {
-    Rgb camera;
-    Rgb splat;
-    std::array<Rgb, kReplicates> passes;
-};
+/// Pixel sums of each replicate, over its complete passes; what the variance of a picture is made of. One plane for
+/// each replicate, not one record for each pixel: a pass adds to one of them alone.
+class ReplicateSums {
+public:
+    explicit ReplicateSums(std::size_t pixels);
 
-/// How the complete passes are shared out.
-struct ReplicateCounts {
-    explicit ReplicateCounts(std::uint64_t passes)
-        : total(static_cast<double>(passes)), replicates(std::min(passes, kReplicates)) {
-        for (std::uint64_t r = 0; r < kReplicates; ++r) of[r] = static_cast<double>(passes_of_replicate(r, passes));
+    void add_sample(std::size_t pixel, const Rgb& radiance) { camera_[pixel] += radiance; }
+    void add_splat(std::size_t pixel, const Rgb& value);
+    /// Only what came before it counts. `light_paths`: of the pass.
+    void end_pass(std::uint64_t light_paths);
+
+    [[nodiscard]] std::size_t pixels() const { return camera_.size(); }
+    /// Complete ones.
+    [[nodiscard]] std::uint64_t passes() const { return passes_; }
+    [[nodiscard]] std::uint64_t passes_of(std::uint64_t replicate) const {
+        return passes_of_replicate(replicate, passes_);
     }
+    /// Over the passes of one replicate.
+    [[nodiscard]] const Rgb& sum(std::uint64_t replicate, std::size_t pixel) const { return planes_[replicate][pixel]; }
+    /// Over all passes.
+    [[nodiscard]] Rgb mean(std::size_t pixel) const;
+    /// Of that mean; infinite while fewer than two replicates have passes.
+    [[nodiscard]] Rgb variance(std::size_t pixel) const;
 
-    double total;
-    std::uint64_t replicates;              ///< those that have any
-    std::array<double, kReplicates> of{};  ///< passes of each
+private:
+    std::vector<Rgb> camera_;  ///< of the present pass
+    std::vector<Rgb> splat_;   ///< likewise; empty until one arrives
+    std::array<std::vector<Rgb>, kReplicates> planes_;
+    std::uint64_t passes_ = 0;
 };
-
-/// Mean over all complete passes.
-inline Rgb mean_of(const ReplicateSums& sums, const ReplicateCounts& counts) {
-    Rgb mean;
-    for (const Rgb& sum : sums.passes) mean += sum / counts.total;
-    return mean;
-}
-
-/// What replicate `r` adds to the variance of that mean. Needs two replicates, and a pass of this one.
-inline Rgb variance_by(std::uint64_t r, const ReplicateSums& sums, const Rgb& mean, const ReplicateCounts& counts) {
-    const Rgb off = sums.passes[r] / counts.of[r] - mean;
-    return off * off * (counts.of[r] / (static_cast<double>(counts.replicates - 1) * counts.total));
-}
 
 }  // namespace etendue

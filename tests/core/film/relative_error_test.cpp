@@ -25,11 +25,10 @@ constexpr double kResolution = 0.05;
 /// One pass of one pixel whose true value is `truth`.
 using Noise = std::function<double(double truth, Rng& rng)>;
 
-/// A picture of so many passes with its true values.
+/// A picture with its true values.
 struct Picture {
     std::vector<double> truth;
-    std::vector<ReplicateSums> pixels;
-    std::uint64_t passes = 0;
+    ReplicateSums pixels;
 };
 
 /// Left dark, right bright, the lowest rows black.
@@ -41,14 +40,15 @@ std::vector<double> ramp() {
     return truth;
 }
 
-Picture picture(std::uint64_t passes, std::uint64_t seed, const Noise& noise) {
-    Picture p{ramp(), {}, passes};
+Picture picture(std::uint64_t passes, std::uint64_t seed, const Noise& noise, double scale = 1) {
+    Picture p{ramp(), ReplicateSums(kWidth * kHeight)};
     Rng rng(seed, 0, 0);
-    for (double truth : p.truth) {
-        ReplicateSums& sums = p.pixels.emplace_back();
-        for (std::uint64_t pass = 0; pass < passes; ++pass) {
-            sums.passes[place_of_pass(pass).replicate] += Rgb(noise(truth, rng), noise(truth, rng), noise(truth, rng));
+    for (std::uint64_t pass = 0; pass < passes; ++pass) {
+        for (std::size_t i = 0; i < p.truth.size(); ++i) {
+            const double truth = p.truth[i];
+            p.pixels.add_sample(i, scale * Rgb(noise(truth, rng), noise(truth, rng), noise(truth, rng)));
         }
+        p.pixels.end_pass(0);
     }
     return p;
 }
@@ -58,15 +58,13 @@ double actual(const Picture& p) {
     for (double truth : p.truth) mean += truth / static_cast<double>(p.truth.size());
     double sum = 0;
     for (std::size_t i = 0; i < p.truth.size(); ++i) {
-        const Rgb off = mean_of(p.pixels[i], ReplicateCounts(p.passes)) - Rgb(p.truth[i]);
+        const Rgb off = p.pixels.mean(i) - Rgb(p.truth[i]);
         sum += total(off * off) / 3 / (p.truth[i] * p.truth[i] + std::pow(kDarkestPart * mean, 2));
     }
     return sum / static_cast<double>(p.truth.size());
 }
 
-ErrorEstimate claimed(const Picture& p) {
-    return RelativeError(p.pixels, kWidth, p.passes).of_rows(0, kHeight).estimate(1);
-}
+ErrorEstimate claimed(const Picture& p) { return RelativeError(p.pixels, kWidth).of_rows(0, kHeight).estimate(1); }
 
 struct NoiseCase {
     const char* name;
@@ -103,19 +101,15 @@ INSTANTIATE_TEST_SUITE_P(Noises, RelativeErrorOf,
 
 // A unit of radiance is anybody's choice.
 TEST(RelativeError, HasNoScale) {
-    const Picture p = picture(16, 1, uniform_noise);
+    const double expected = claimed(picture(16, 1, uniform_noise)).value;
     for (double scale : {1e-30, 1e30}) {
-        Picture scaled = p;
-        for (ReplicateSums& sums : scaled.pixels) {
-            for (Rgb& sum : sums.passes) sum *= scale;
-        }
-        EXPECT_NEAR(claimed(scaled).value, claimed(p).value, 1e-9 * claimed(p).value);
+        EXPECT_NEAR(claimed(picture(16, 1, uniform_noise, scale)).value, expected, 1e-9 * expected);
     }
 }
 
 TEST(RelativeError, PartsAddUpToTheWhole) {
     const Picture p = picture(16, 2, uniform_noise);
-    const RelativeError error(p.pixels, kWidth, p.passes);
+    const RelativeError error(p.pixels, kWidth);
     ErrorSums sums;
     for (int y = 0; y < error.height(); y += 3) sums += error.of_rows(y, std::min(y + 3, error.height()));
     const ErrorEstimate whole = claimed(p);
@@ -136,7 +130,10 @@ TEST(RelativeError, OfOneFireflyIsUncertain) {
     Picture p = picture(16, 4, uniform_noise);
     const ErrorEstimate calm = claimed(p);
     EXPECT_LT(calm.standard_error, 0.1 * calm.value);
-    p.pixels[kWidth * 5 + 7].passes[3] += Rgb(1e4);
+    for (std::uint64_t pass = 0; pass < kReplicates; ++pass) {
+        if (pass == 3) p.pixels.add_sample(kWidth * 5 + 7, Rgb(1e4));
+        p.pixels.end_pass(0);
+    }
     const ErrorEstimate struck = claimed(p);
     EXPECT_GT(struck.value, 100 * calm.value);
     EXPECT_GT(struck.standard_error, 0.9 * struck.value);
