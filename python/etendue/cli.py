@@ -22,6 +22,7 @@ from etendue.comparison.figures import comparison_table
 from etendue.exit_status import DIFFERENT, INTERRUPTED
 from etendue.image import Image
 from etendue.inspection_table import inspection_table
+from etendue.presets import PRESETS
 from etendue.progress import duration, error_text, progress_display
 from etendue.settings import AOVS, DEFAULT_SAMPLES, FILTERS, INTEGRATORS, RenderOptions
 from etendue.validation.command import validate_command
@@ -123,6 +124,13 @@ def render(
     crop: Annotated[
         str | None, typer.Option(metavar="X0,Y0,X1,Y1", help="Pixels of the image, row 0 on top.")
     ] = None,
+    preset: Annotated[
+        str | None,
+        typer.Option(
+            help=f"{'|'.join(PRESETS)}: an --error, a --max-depth and a most --spp; any of them "
+            "given as well replaces the preset's."
+        ),
+    ] = None,
     spp: Annotated[
         int | None,
         typer.Option(
@@ -140,8 +148,12 @@ def render(
     ] = None,
     integrator: Annotated[str, typer.Option(help="|".join(INTEGRATORS))] = "bdpt",
     max_depth: Annotated[
-        int, typer.Option(help="Bounces; 0 shows emission only.")
-    ] = CORE_DEFAULTS.max_depth,
+        int | None,
+        typer.Option(
+            help=f"Bounces; 0 shows emission only; default {CORE_DEFAULTS.max_depth}, "
+            "or the preset's."
+        ),
+    ] = None,
     seed: Annotated[int, typer.Option(help="The same seed gives the same image.")] = 0,
     threads: Annotated[int, typer.Option(help="0: all.")] = 0,
     light_paths: Annotated[
@@ -182,6 +194,7 @@ def render(
     options = RenderOptions(
         resolution=_numbers("resolution", resolution, "x", 2),
         crop=_numbers("crop", crop, ",", 4),
+        preset=preset,
         spp=spp,
         time=time,
         error=error,

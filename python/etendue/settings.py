@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TypedDict, TypeVar
+from dataclasses import asdict
+from typing import TypedDict, TypeVar, cast
 
 from etendue import _core
+from etendue.presets import PRESETS
 from etendue.usd_reader import StageContents
 
 DEFAULT_SAMPLES = 64
@@ -36,6 +38,8 @@ class RenderOptions(TypedDict, total=False):
     resolution: (width, height) in pixels; default: the stage's RenderSettings, else 960 wide with
         the camera's aspect.
     crop: (x0, y0, x1, y1), pixels [x0, x1) x [y0, y1) of the full image, row 0 on top.
+    preset: "draft", "preview", "final" or "reference": an error, a max_depth and a most spp, as
+        PRESETS has them; any of the three that is given as well replaces the preset's.
     spp: samples per pixel; default 64, or no limit when `time` or `error` is given. 0: no limit.
     time: seconds; the render ends at whichever limit comes first.
     error: relative error of the picture that is good enough, 0.05 for 5 %: the root of relMSE, as
@@ -63,11 +67,12 @@ class RenderOptions(TypedDict, total=False):
 
     resolution: tuple[int, int] | None
     crop: tuple[int, int, int, int] | None
+    preset: str | None
     spp: int | None
     time: float | None
     error: float | None
     integrator: str
-    max_depth: int
+    max_depth: int | None
     seed: int
     threads: int
     aovs: Iterable[str]
@@ -86,6 +91,7 @@ def render_settings(
     contents: StageContents, camera: str | None, options: RenderOptions
 ) -> _core.RenderSettings:
     """The stage's settings with the options over them. Raises SettingsError and SceneError."""
+    options = _with_preset(options)
     settings = _core.RenderSettings()
     settings.camera = _camera_index(contents, camera)
     settings.width, settings.height = _resolution(contents, settings.camera, options)
@@ -94,7 +100,9 @@ def render_settings(
 
     settings.integrator = _choice("integrator", options.get("integrator", "bdpt"), INTEGRATORS)
     _set_limits(settings, options)
-    settings.max_depth = _at_least("max_depth", options.get("max_depth", settings.max_depth), 0)
+    max_depth = options.get("max_depth")
+    if max_depth is not None:
+        settings.max_depth = _at_least("max_depth", max_depth, 0)
     settings.seed = _at_least("seed", options.get("seed", 0), 0)
     settings.threads = _at_least("threads", options.get("threads", 0), 0)
     settings.heuristic = _choice("heuristic", options.get("heuristic", "power"), HEURISTICS)
@@ -116,6 +124,16 @@ def render_settings(
     names = ["color", *options.get("aovs", ("alpha",))]
     settings.aovs = [_choice("aov", name, AOVS) for name in dict.fromkeys(names)]
     return settings
+
+
+def _with_preset(options: RenderOptions) -> RenderOptions:
+    """What is given, over the preset's."""
+    name = options.get("preset")
+    if name is None:
+        return options
+    preset = _choice("preset", name, PRESETS)
+    given = {key: value for key, value in options.items() if value is not None}
+    return cast(RenderOptions, asdict(preset) | given)
 
 
 def _set_limits(settings: _core.RenderSettings, options: RenderOptions) -> None:

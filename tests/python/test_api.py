@@ -6,8 +6,10 @@ import os
 import signal
 import threading
 import time
+from dataclasses import asdict
+from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 import pytest
@@ -15,6 +17,8 @@ from PIL import Image as PilImage
 from pxr import Gf, Usd, UsdGeom, UsdRender
 
 import etendue
+from etendue.presets import PRESETS
+from etendue.settings import RenderOptions, render_settings
 from support.exr_header import read_exr_header
 from support.stage_builder import StageBuilder
 
@@ -191,6 +195,37 @@ def test_error_shows_in_progress(stage: etendue.Stage) -> None:
     assert {progress.passes_total for progress in told} == {0}
 
 
+@pytest.mark.parametrize("name", PRESETS)
+def test_preset(build: StageBuilder, name: str) -> None:
+    """Options that are given win, one by one; those that are None are not."""
+    contents = build.lit_quad().read()
+
+    def settings(**options: Unpack[RenderOptions]) -> dict[str, float]:
+        made = render_settings(contents, None, {"preset": name, **options})
+        return {
+            "error": made.error_target,
+            "max_depth": made.max_depth,
+            "spp": made.samples_per_pixel,
+            "time": made.time_limit,
+        }
+
+    plain = {**asdict(PRESETS[name]), "time": 0.0}
+    assert settings() == plain
+    assert settings(error=None, max_depth=None, spp=None, time=None) == plain
+    assert settings(error=0.5) == plain | {"error": 0.5}
+    assert settings(max_depth=0) == plain | {"max_depth": 0}
+    assert settings(spp=0) == plain | {"spp": 0}
+    assert settings(time=3.0) == plain | {"time": 3.0}
+
+
+def test_presets_ask_for_more_and_more() -> None:
+    presets = list(PRESETS.values())
+    for coarse, fine in pairwise(presets):
+        assert fine.error < coarse.error
+        assert fine.max_depth > coarse.max_depth
+        assert fine.spp > coarse.spp
+
+
 def test_wrong_on_purpose(stage: etendue.Stage) -> None:
     stage.render(**SMALL, adjoint=["refraction"], strategies=["emission_hit", "direct_light"])
 
@@ -293,6 +328,8 @@ def test_orthographic_camera(build: StageBuilder, integrator: str) -> None:
         ({"spp": 0}, "never end"),
         ({"time": -1.0}, "time is -1.0"),
         ({"time": float("nan")}, "time is nan"),
+        ({"preset": "best"}, "unknown preset 'best'; there are: draft, preview, final, reference"),
+        ({"preset": "draft", "max_depth": -1}, "max_depth is -1"),
         ({"error": 0.0}, "error is 0.0"),
         ({"error": -0.1}, "error is -0.1"),
         ({"error": float("nan")}, "error is nan"),

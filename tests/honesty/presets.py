@@ -1,0 +1,48 @@
+"""What the presets take and give."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+
+import numpy as np
+
+from etendue.presets import PRESETS
+from etendue.settings import RenderOptions
+from honesty.claims import claims, open_stage, percent, reference
+from support.marked_table import Row
+
+HEAD = ("stage", "preset", "spp", "s / megapixel", "claimed", "actual")
+RESOLUTION = (32, 24)
+#: The longest preset's renders are long enough to do with one.
+SEEDS = {"draft": 8, "preview": 8, "final": 4, "reference": 1}
+THREADS = min(2, os.cpu_count() or 1)
+
+
+def rows(stages: list[str]) -> Iterator[Row]:
+    """Of default renders, against one that is deeper than all and has half the relMSE at most."""
+    best = PRESETS["reference"]
+    for name in stages:
+        stage = open_stage(name)
+        options = RenderOptions(resolution=RESOLUTION, threads=THREADS)
+        longest: RenderOptions = {
+            **options,
+            "max_depth": best.max_depth,
+            "error": 0.7 * best.error,
+            "spp": 2 * best.spp,
+        }
+        against = reference(stage, longest)
+        for preset, seeds in SEEDS.items():
+            found = claims(stage, against, {**options, "preset": preset}, range(seeds))
+            megapixels = RESOLUTION[0] * RESOLUTION[1] / 1e6
+            cells = [
+                name,
+                preset,
+                f"{found.spp.mean():.0f}",
+                f"{found.seconds.mean() / megapixels:.3g}",
+                percent(np.sqrt(found.claimed.mean())),
+                percent(np.sqrt(max(0.0, found.actual.mean()))),
+            ]
+            print(" | ".join(cells), file=sys.stderr, flush=True)
+            yield cells
