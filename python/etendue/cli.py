@@ -134,7 +134,7 @@ def render(
     spp: Annotated[
         int | None,
         typer.Option(
-            help=f"Samples per pixel; default {DEFAULT_SAMPLES}, or no limit with another limit."
+            help=f"Samples per pixel; default {DEFAULT_SAMPLES}; no limit beside --time or --error."
         ),
     ] = None,
     time: Annotated[

@@ -10,25 +10,20 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from etendue.settings import RenderOptions
 from honesty import presets
+from honesty.cases import BAR, CASES, Case
 from honesty.claims import Claims, claims, open_stage, percent, reference
 from support.machine import machine
 from support.marked_table import Row, replace_between_markers, table
 
 HERE = Path(__file__).resolve().parent
 SEEDS = 30
-#: The mean ratio of actual over claimed relMSE has to be in here.
-BAR = (0.8, 1.25)
-#: The reference's error, as part of the smallest target: a sixteenth of the relMSE, subtracted.
-REFERENCE_PART = 0.25
 HEAD = (
     "stage",
     "integrator",
@@ -40,27 +35,6 @@ HEAD = (
     "least",
     "largest",
     "brightness",
-)
-
-
-@dataclass(frozen=True)
-class Case:
-    stage: str
-    integrator: str
-    targets: tuple[float, ...]
-
-    def options(self, error: float) -> RenderOptions:
-        return RenderOptions(
-            resolution=(48, 36), integrator=self.integrator, error=error, spp=1 << 14
-        )
-
-
-CASES = (
-    Case("caustic_pool", "bdpt", (0.2, 0.1)),
-    Case("cornell_box", "path", (0.2, 0.1)),
-    Case("cornell_indirect", "bdpt", (0.2, 0.1)),
-    Case("bump_sphere", "bdpt", (0.1, 0.05)),
-    Case("glass_sphere", "bdpt", (0.2,)),
 )
 
 
@@ -85,11 +59,11 @@ def row(case: Case, target: float, found: Claims) -> Row:
 def rows(cases: list[Case], seeds: int) -> Iterator[Row]:
     for case in cases:
         stage = open_stage(case.stage)
-        against = reference(stage, case.options(REFERENCE_PART * min(case.targets)))
+        against = reference(stage, case.reference_options())
         for target in case.targets:
             found = claims(stage, against, case.options(target), range(seeds))
             cells = row(case, target, found)
-            print(" | ".join(cells), f"{found.seconds.sum():.1f} s", file=sys.stderr, flush=True)
+            print(" | ".join(cells), f"{found.cpu.sum():.1f} CPU s", file=sys.stderr, flush=True)
             yield cells
 
 
@@ -109,7 +83,7 @@ def main() -> None:
     }
     for name in [args.table] if args.table else tables:
         head, found = tables[name]
-        text = f"{machine()}, {presets.THREADS} threads.\n\n{table(head, found)}"
+        text = f"{machine()}.\n\n{table(head, found)}"
         print(text)
         if args.write:
             replace_between_markers(HERE / "README.md", name, text)

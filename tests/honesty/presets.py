@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Iterator
 
@@ -13,11 +12,10 @@ from etendue.settings import RenderOptions
 from honesty.claims import claims, open_stage, percent, reference
 from support.marked_table import Row
 
-HEAD = ("stage", "preset", "spp", "s / megapixel", "claimed", "actual")
-RESOLUTION = (32, 24)
+HEAD = ("stage", "preset", "spp", "CPU s / megapixel", "claimed", "actual")
+RESOLUTION = (24, 18)
 #: The longest preset's renders are long enough to do with one.
 SEEDS = {"draft": 8, "preview": 8, "final": 4, "reference": 1}
-THREADS = min(2, os.cpu_count() or 1)
 
 
 def rows(stages: list[str]) -> Iterator[Row]:
@@ -25,7 +23,7 @@ def rows(stages: list[str]) -> Iterator[Row]:
     best = PRESETS["reference"]
     for name in stages:
         stage = open_stage(name)
-        options = RenderOptions(resolution=RESOLUTION, threads=THREADS)
+        options = RenderOptions(resolution=RESOLUTION)
         longest: RenderOptions = {
             **options,
             "max_depth": best.max_depth,
@@ -40,7 +38,7 @@ def rows(stages: list[str]) -> Iterator[Row]:
                 name,
                 preset,
                 f"{found.spp.mean():.0f}",
-                f"{found.seconds.mean() / megapixels:.3g}",
+                f"{found.cpu.mean() / megapixels:.3g}",
                 percent(np.sqrt(found.claimed.mean())),
                 percent(np.sqrt(max(0.0, found.actual.mean()))),
             ]

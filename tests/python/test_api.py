@@ -458,16 +458,24 @@ def test_progress_callback_that_fails(stage: etendue.Stage) -> None:
 @pytest.mark.usefixtures("ctrl_c_interrupts")
 def test_ctrl_c_keeps_the_image(stage: etendue.Stage) -> None:
     pressed = threading.Event()
+    first = 3
 
     def interrupt(progress: etendue.RenderProgress) -> None:
-        if progress.passes_done >= 3 and not pressed.is_set():
+        if progress.passes_done >= first and not pressed.is_set():
             pressed.set()
             os.kill(os.getpid(), signal.SIGINT)
 
     with pytest.raises(etendue.Interrupted) as caught:
         stage.render(resolution=(16, 12), spp=1_000_000_000, progress=interrupt)
-    assert caught.value.image.statistics.passes >= 3
+    assert caught.value.image.statistics.passes >= first
     assert caught.value.image.color.any()
+
+    pressed.clear()
+    first = 100
+    with pytest.raises(etendue.Interrupted) as caught:
+        stage.render(resolution=(16, 12), error=1e-9, progress=interrupt)
+    assert caught.value.image.statistics.passes >= first
+    assert 0 < float(caught.value.image.metadata["etendue:error"]) < 1
 
 
 @pytest.mark.usefixtures("ctrl_c_interrupts")

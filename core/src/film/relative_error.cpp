@@ -21,9 +21,7 @@ ErrorSums& ErrorSums::operator+=(const ErrorSums& other) {
 }
 
 ErrorEstimate ErrorSums::estimate(double sharing) const {
-    const double mean = sum_ / count_;
-    const double scatter = std::max(0.0, squares_ / count_ - mean * mean);
-    return {mean, std::sqrt(scatter * sharing / count_)};
+    return {sum_ / count_, std::sqrt(squares_ * sharing) / count_};
 }
 
 /// Views of some rows with the rows around them.

@@ -11,7 +11,9 @@ namespace etendue {
 /// Estimate of a picture's squared relative error, relMSE as RenderStatistics::error has it.
 struct ErrorEstimate {
     double value = 0;
-    double standard_error = 0;  ///< as far as what was seen can tell
+    /// As if all of a pixel's term were chance, which a firefly's is: 1 / sqrt(n) of an estimate that rests on n
+    /// pixels. What has not been seen is not in it.
+    double standard_error = 0;
 };
 
 /// Sums over pixels; parts of a picture may be summed by different threads and added up.

@@ -141,10 +141,10 @@ TEST(RelativeError, OfOneFireflyIsUncertain) {
 
 TEST(RelativeError, IsLessSureWherePixelsShareTheirNoise) {
     ErrorSums sums;
-    for (int i = 0; i < 100; ++i) sums.add(i % 2);
+    for (int i = 0; i < 100; ++i) sums.add(i % 2);  // rests on 50 pixels
     EXPECT_DOUBLE_EQ(sums.estimate(1).value, 0.5);
-    EXPECT_DOUBLE_EQ(sums.estimate(1).standard_error, 0.05);
-    EXPECT_DOUBLE_EQ(sums.estimate(9).standard_error, 0.15);
+    EXPECT_DOUBLE_EQ(sums.estimate(1).standard_error, 0.5 / std::sqrt(50));
+    EXPECT_DOUBLE_EQ(sums.estimate(9).standard_error, 3 * 0.5 / std::sqrt(50));
 }
 
 }  // namespace
