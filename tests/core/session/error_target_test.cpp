@@ -133,6 +133,32 @@ TEST(ErrorTarget, ShowsInProgress) {
     EXPECT_LT(told.back().error, 0.05);
 }
 
+/// Of the estimate at the first look, its standard error as part of it: what the forecast adds, twice.
+double uncertainty(const PixelFilter& filter) {
+    constexpr double kTarget = 1e-3;
+    RenderSettings settings = until(kTarget, IntegratorKind::Light);
+    settings.filter = filter;
+    RenderProgress first;
+    std::optional<RenderSession> session;
+    session.emplace(diffuse_box(), settings, [&](const RenderProgress& p) {
+        if (p.passes_done != 16 || p.finished) return;
+        first = p;
+        session->cancel();
+    });
+    session->start();
+    session->wait();
+    const double relative_mse = first.error * first.error;
+    return (kTarget * kTarget / first.fraction / relative_mse - 1) / 2;
+}
+
+// A splat falls on all pixels that the filter reaches: they are right or wrong together.
+TEST(ErrorTarget, IsLessSureUnderWideFilters) {
+    const double narrow = uncertainty({FilterKind::Box, 0.5});
+    EXPECT_GT(narrow, 1.0 / 16);  // 16 x 16 pixels, not all alike
+    EXPECT_LT(narrow, 0.2);
+    EXPECT_GT(uncertainty({FilterKind::Box, 1.5}), 2.5 * narrow);
+}
+
 TEST(ErrorTarget, IsClaimedOfCancelledRendersToo) {
     std::optional<RenderSession> session;
     session.emplace(diffuse_box(), until(1e-6), [&](const RenderProgress& p) {
