@@ -71,7 +71,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("stages", nargs="*", help="names; default all")
     parser.add_argument("--seeds", type=int, default=SEEDS, help="of the claims' table")
-    parser.add_argument("--table", choices=("claims", "presets"), help="one of the two")
+    parser.add_argument("--table", choices=("claims", "dial", "presets"), help="one of them")
     parser.add_argument("--write", action="store_true", help="put the table into README.md")
     args = parser.parse_args()
     if args.write and (args.stages or args.seeds != SEEDS):
@@ -79,11 +79,12 @@ def main() -> None:
     cases = [case for case in CASES if not args.stages or case.stage in args.stages]
     tables = {
         "claims": (HEAD, rows(cases, args.seeds)),
+        "dial": (presets.DIAL_HEAD, presets.dial()),
         "presets": (presets.HEAD, presets.rows([case.stage for case in cases])),
     }
     for name in [args.table] if args.table else tables:
         head, found = tables[name]
-        text = f"{machine()}.\n\n{table(head, found)}"
+        text = f"{machine()}.\n\n{table(head, found)}" if name != "dial" else table(head, found)
         print(text)
         if args.write:
             replace_between_markers(HERE / "README.md", name, text)

@@ -12,10 +12,17 @@ from etendue.settings import RenderOptions
 from honesty.claims import claims, open_stage, percent, reference
 from support.marked_table import Row
 
+DIAL_HEAD = ("preset", "error", "max depth", "spp at most")
 HEAD = ("stage", "preset", "spp", "CPU s / megapixel", "claimed", "actual")
 RESOLUTION = (24, 18)
 #: The longest preset's renders are long enough to do with one.
 SEEDS = {"draft": 8, "preview": 8, "final": 4, "reference": 1}
+
+
+def dial() -> Iterator[Row]:
+    """What they set."""
+    for name, preset in PRESETS.items():
+        yield [name, percent(preset.error), str(preset.max_depth), str(preset.spp)]
 
 
 def rows(stages: list[str]) -> Iterator[Row]:
