@@ -59,10 +59,12 @@ std::vector<Aov> aovs_of(const RenderedImage& image) {
 void bind_film_view(py::module_& module) {
     module.def("aov_name", &aov_name, py::arg("aov"));
     module.def("aov_channels", &aov_channels, py::arg("aov"));
+    module.attr("DARKEST_PART") = kDarkestPart;
 
     py::class_<RenderStatistics>(module, "RenderStatistics")
         .def_readonly("passes", &RenderStatistics::passes)
         .def_readonly("seconds", &RenderStatistics::seconds)
+        .def_readonly("error", &RenderStatistics::error)
         .def_readonly("camera_paths", &RenderStatistics::camera_paths)
         .def_readonly("light_paths", &RenderStatistics::light_paths)
         .def_readonly("rays", &RenderStatistics::rays)

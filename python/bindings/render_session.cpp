@@ -135,6 +135,7 @@ void bind_render_session(py::module_& module) {
         .def_readonly("passes_total", &RenderProgress::passes_total)
         .def_readonly("fraction", &RenderProgress::fraction)
         .def_readonly("seconds", &RenderProgress::seconds)
+        .def_readonly("error", &RenderProgress::error)
         .def_readonly("finished", &RenderProgress::finished);
 
     py::class_<PickedSurface>(module, "PickedSurface")

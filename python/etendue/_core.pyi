@@ -813,6 +813,7 @@ class RenderSettings:
         integrator: IntegratorKind = ...,
         samples_per_pixel: int = ...,
         time_limit: float = ...,
+        error_target: float = ...,
         max_depth: int = ...,
         seed: int = ...,
         threads: int = ...,
@@ -834,6 +835,7 @@ class RenderSettings:
     integrator: IntegratorKind
     samples_per_pixel: int
     time_limit: float
+    error_target: float
     max_depth: int
     seed: int
     threads: int
@@ -900,6 +902,9 @@ class SceneDescription:
 
     def copy(self) -> SceneDescription: ...
 
+DARKEST_PART: float
+"""A pixel darker than this part of the mean counts about as that bright in relative errors."""
+
 def aov_name(aov: Aov) -> str: ...
 def aov_channels(aov: Aov) -> int: ...
 
@@ -909,6 +914,10 @@ class RenderStatistics:
     def passes(self) -> int: ...
     @property
     def seconds(self) -> float: ...
+    @property
+    def error(self) -> float:
+        """sqrt(relMSE) that the picture's own noise lets expect; inf while unknown."""
+
     @property
     def camera_paths(self) -> int: ...
     @property
@@ -948,14 +957,19 @@ class RenderProgress:
     def passes_done(self) -> int: ...
     @property
     def passes_total(self) -> int:
-        """0 when only time limits the render."""
+        """0 when they are not limited."""
 
     @property
     def fraction(self) -> float:
-        """0..1, by whichever limit is nearer."""
+        """0..1, by whichever limit is nearer; a forecast, which may fall, where that is the
+        error's."""
 
     @property
     def seconds(self) -> float: ...
+    @property
+    def error(self) -> float:
+        """RenderStatistics.error as last estimated; inf while unknown."""
+
     @property
     def finished(self) -> bool: ...
 

@@ -7,6 +7,7 @@ import os
 import re
 import sys
 import warnings
+from math import isfinite
 from typing import Annotated, Any
 
 import numpy as np
@@ -21,7 +22,8 @@ from etendue.comparison.figures import comparison_table
 from etendue.exit_status import DIFFERENT, INTERRUPTED
 from etendue.image import Image
 from etendue.inspection_table import inspection_table
-from etendue.progress import duration, progress_display
+from etendue.presets import PRESETS
+from etendue.progress import duration, error_text, progress_display
 from etendue.settings import AOVS, DEFAULT_SAMPLES, FILTERS, INTEGRATORS, RenderOptions
 from etendue.validation.command import validate_command
 
@@ -122,19 +124,36 @@ def render(
     crop: Annotated[
         str | None, typer.Option(metavar="X0,Y0,X1,Y1", help="Pixels of the image, row 0 on top.")
     ] = None,
+    preset: Annotated[
+        str | None,
+        typer.Option(
+            help=f"{'|'.join(PRESETS)}: an --error, a --max-depth and a most --spp; any of them "
+            "given as well replaces the preset's."
+        ),
+    ] = None,
     spp: Annotated[
         int | None,
         typer.Option(
-            help=f"Samples per pixel; default {DEFAULT_SAMPLES}, or no limit with --time."
+            help=f"Samples per pixel; default {DEFAULT_SAMPLES}; no limit beside --time or --error."
         ),
     ] = None,
     time: Annotated[
         float | None, typer.Option(help="Seconds; whichever limit comes first ends the render.")
     ] = None,
+    error: Annotated[
+        float | None,
+        typer.Option(
+            help="Relative error that is good enough, from the picture's own noise: 0.05 for 5 %."
+        ),
+    ] = None,
     integrator: Annotated[str, typer.Option(help="|".join(INTEGRATORS))] = "bdpt",
     max_depth: Annotated[
-        int, typer.Option(help="Bounces; 0 shows emission only.")
-    ] = CORE_DEFAULTS.max_depth,
+        int | None,
+        typer.Option(
+            help=f"Bounces; 0 shows emission only; default {CORE_DEFAULTS.max_depth}, "
+            "or the preset's."
+        ),
+    ] = None,
     seed: Annotated[int, typer.Option(help="The same seed gives the same image.")] = 0,
     threads: Annotated[int, typer.Option(help="0: all.")] = 0,
     light_paths: Annotated[
@@ -175,8 +194,10 @@ def render(
     options = RenderOptions(
         resolution=_numbers("resolution", resolution, "x", 2),
         crop=_numbers("crop", crop, ",", 4),
+        preset=preset,
         spp=spp,
         time=time,
+        error=error,
         integrator=integrator,
         max_depth=max_depth,
         seed=seed,
@@ -198,6 +219,8 @@ def render(
     statistics = image.statistics
     told = "interrupted, wrote" if interrupted else "wrote"
     samples = f"{statistics.passes} spp" if statistics.passes else "less than 1 spp"
+    if isfinite(statistics.error):
+        samples += f", {error_text(statistics.error)}"
     if interrupted or not quiet:
         _say(
             f"{told} {output}: {image.width}x{image.height}, {samples}, "

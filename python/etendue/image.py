@@ -78,7 +78,7 @@ class Image:
 
     @property
     def statistics(self) -> _core.RenderStatistics:
-        """Passes, seconds, paths, rays and refused contributions."""
+        """Passes, seconds, error, paths, rays and refused contributions."""
         return self._rendered.statistics
 
     def for_display(self, display: str = "", view: str = "", ocio: str = "") -> FloatArray:

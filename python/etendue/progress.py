@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from math import isfinite
 from types import TracebackType
 from typing import Protocol
 
@@ -34,9 +35,11 @@ def progress_display(console: Console, pixels: int) -> ProgressDisplay:
 
 
 def describe(progress: _core.RenderProgress, pixels: int) -> str:
-    """Samples, rate and time left, on one line."""
+    """Samples, error, rate and time left, on one line."""
     total = f"/{progress.passes_total}" if progress.passes_total else ""
     parts = [f"{progress.passes_done}{total} spp"]
+    if isfinite(progress.error):
+        parts.append(error_text(progress.error))
     if progress.seconds > 0 and progress.passes_done:
         rate = progress.passes_done * pixels / progress.seconds
         parts.append(f"{rate / 1e6:.2f} Mpaths/s")
@@ -46,6 +49,11 @@ def describe(progress: _core.RenderProgress, pixels: int) -> str:
         left = progress.seconds * (1 - progress.fraction) / progress.fraction
         parts.append(f"{duration(left)} left")
     return ", ".join(parts)
+
+
+def error_text(error: float) -> str:
+    """Of RenderStatistics.error: 'error 5.12%'."""
+    return f"error {100 * error:.3g}%"
 
 
 def duration(seconds: float) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import time
 import weakref
 from collections.abc import Callable
@@ -123,6 +124,8 @@ class Session:
         metadata = dict(self._metadata)
         metadata["etendue:spp"] = str(rendered.statistics.passes)
         metadata["etendue:seconds"] = f"{rendered.statistics.seconds:.3f}"
+        if math.isfinite(rendered.statistics.error):
+            metadata["etendue:error"] = f"{rendered.statistics.error:.4g}"
         return Image(rendered, metadata)
 
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TypedDict, TypeVar
+from dataclasses import asdict
+from typing import TypedDict, TypeVar, cast
 
 from etendue import _core
+from etendue.presets import PRESETS
 from etendue.usd_reader import StageContents
 
 DEFAULT_SAMPLES = 64
@@ -36,8 +38,14 @@ class RenderOptions(TypedDict, total=False):
     resolution: (width, height) in pixels; default: the stage's RenderSettings, else 960 wide with
         the camera's aspect.
     crop: (x0, y0, x1, y1), pixels [x0, x1) x [y0, y1) of the full image, row 0 on top.
-    spp: samples per pixel; default 64, or no limit when `time` is given. 0: no limit.
+    preset: "draft", "preview", "final" or "reference": an error, a max_depth and a most spp, as
+        PRESETS has them; any of the three that is given as well replaces the preset's.
+    spp: samples per pixel; default 64, or no limit when `time` or `error` is given. 0: no limit.
     time: seconds; the render ends at whichever limit comes first.
+    error: relative error of the picture that is good enough, 0.05 for 5 %: the root of relMSE, as
+        RenderStatistics.error estimates it from the picture's own noise. It is looked at now and
+        then from the 16th sample on. What a finite max_depth leaves out, and what is too rare for
+        any sample so far, is no noise and not in it.
     integrator: "path", "light" or "bdpt" (default).
     max_depth: bounces; 0 shows emission only. Default 16.
     seed: the same seed gives the same image, whatever the number of threads.
@@ -59,10 +67,12 @@ class RenderOptions(TypedDict, total=False):
 
     resolution: tuple[int, int] | None
     crop: tuple[int, int, int, int] | None
+    preset: str | None
     spp: int | None
     time: float | None
+    error: float | None
     integrator: str
-    max_depth: int
+    max_depth: int | None
     seed: int
     threads: int
     aovs: Iterable[str]
@@ -81,6 +91,7 @@ def render_settings(
     contents: StageContents, camera: str | None, options: RenderOptions
 ) -> _core.RenderSettings:
     """The stage's settings with the options over them. Raises SettingsError and SceneError."""
+    options = _with_preset(options)
     settings = _core.RenderSettings()
     settings.camera = _camera_index(contents, camera)
     settings.width, settings.height = _resolution(contents, settings.camera, options)
@@ -88,15 +99,10 @@ def render_settings(
     settings.crop = _crop(contents, settings.width, settings.height, options.get("crop"))
 
     settings.integrator = _choice("integrator", options.get("integrator", "bdpt"), INTEGRATORS)
-    time = options.get("time")
-    samples = options.get("spp")
-    if samples is None:
-        samples = 0 if time else DEFAULT_SAMPLES
-    settings.samples_per_pixel = _at_least("spp", samples, 0)
-    settings.time_limit = _seconds(time)
-    if not settings.samples_per_pixel and not settings.time_limit:
-        raise _core.SettingsError("spp and time are both unlimited: the render would never end")
-    settings.max_depth = _at_least("max_depth", options.get("max_depth", settings.max_depth), 0)
+    _set_limits(settings, options)
+    max_depth = options.get("max_depth")
+    if max_depth is not None:
+        settings.max_depth = _at_least("max_depth", max_depth, 0)
     settings.seed = _at_least("seed", options.get("seed", 0), 0)
     settings.threads = _at_least("threads", options.get("threads", 0), 0)
     settings.heuristic = _choice("heuristic", options.get("heuristic", "power"), HEURISTICS)
@@ -118,6 +124,31 @@ def render_settings(
     names = ["color", *options.get("aovs", ("alpha",))]
     settings.aovs = [_choice("aov", name, AOVS) for name in dict.fromkeys(names)]
     return settings
+
+
+def _with_preset(options: RenderOptions) -> RenderOptions:
+    """What is given, over the preset's."""
+    name = options.get("preset")
+    if name is None:
+        return options
+    preset = _choice("preset", name, PRESETS)
+    given = {key: value for key, value in options.items() if value is not None}
+    return cast(RenderOptions, asdict(preset) | given)
+
+
+def _set_limits(settings: _core.RenderSettings, options: RenderOptions) -> None:
+    """When the render ends."""
+    settings.time_limit = _positive("time", options.get("time"), "number of seconds")
+    settings.error_target = _positive("error", options.get("error"), "number, 0.05 for 5 %")
+    limited = settings.time_limit > 0 or settings.error_target > 0
+    samples = options.get("spp")
+    if samples is None:
+        samples = 0 if limited else DEFAULT_SAMPLES
+    settings.samples_per_pixel = _at_least("spp", samples, 0)
+    if not samples and not limited:
+        raise _core.SettingsError(
+            "spp, time and error are all unlimited: the render would never end"
+        )
 
 
 def _camera_index(contents: StageContents, camera: str | None) -> int:
@@ -211,9 +242,10 @@ def _at_least(what: str, value: int, minimum: int) -> int:
     return value
 
 
-def _seconds(time: float | None) -> float:
-    if time is None:
+def _positive(what: str, value: float | None, wanted: str) -> float:
+    """0 for None."""
+    if value is None:
         return 0.0
-    if not time > 0 or not math.isfinite(time):
-        raise _core.SettingsError(f"time is {time}; it must be a positive number of seconds")
-    return time
+    if not value > 0 or not math.isfinite(value):
+        raise _core.SettingsError(f"{what} is {value}; it must be a positive {wanted}")
+    return value

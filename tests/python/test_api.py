@@ -6,8 +6,10 @@ import os
 import signal
 import threading
 import time
+from dataclasses import asdict
+from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 import pytest
@@ -15,6 +17,8 @@ from PIL import Image as PilImage
 from pxr import Gf, Usd, UsdGeom, UsdRender
 
 import etendue
+from etendue.presets import PRESETS
+from etendue.settings import RenderOptions, render_settings
 from support.exr_header import read_exr_header
 from support.stage_builder import StageBuilder
 
@@ -158,6 +162,70 @@ def test_time_limit(stage: etendue.Stage) -> None:
     assert image.statistics.passes > 2
 
 
+def test_error_target(stage: etendue.Stage) -> None:
+    """Alone it sets no limit to samples; with one, whichever comes first counts."""
+    rough = stage.render(resolution=(16, 12), error=0.04)
+    fine = stage.render(resolution=(16, 12), error=0.02)
+    assert 0.02 < rough.statistics.error < 0.04
+    assert 0.01 < fine.statistics.error < 0.02
+    assert fine.statistics.passes > rough.statistics.passes
+    few = stage.render(resolution=(16, 12), error=1e-6, spp=10).statistics
+    assert few.passes == 10
+    assert 0.01 < few.error < np.inf
+    brief = stage.render(resolution=(16, 12), error=1e-6, time=0.2).statistics
+    assert brief.seconds >= 0.2
+
+
+def test_error_is_unknown_unless_asked_for(stage: etendue.Stage) -> None:
+    image = stage.render(resolution=(16, 12), spp=8)
+    assert image.statistics.error == np.inf
+    assert "etendue:error" not in image.metadata
+    known = stage.render(resolution=(16, 12), spp=8, aovs=["variance"])
+    assert known.statistics.error < np.inf
+    assert known.metadata["etendue:error"] == f"{known.statistics.error:.4g}"
+
+
+def test_error_shows_in_progress(stage: etendue.Stage) -> None:
+    told: list[etendue.RenderProgress] = []
+    image = stage.render(resolution=(16, 12), error=0.1, progress=told.append)
+    assert told[0].error == np.inf
+    assert told[0].fraction == 0
+    assert told[-1].error == image.statistics.error
+    assert told[-1].fraction == 1
+    assert {progress.passes_total for progress in told} == {0}
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_preset(build: StageBuilder, name: str) -> None:
+    """Options that are given win, one by one; those that are None are not."""
+    contents = build.lit_quad().read()
+
+    def settings(**options: Unpack[RenderOptions]) -> dict[str, float]:
+        made = render_settings(contents, None, {"preset": name, **options})
+        return {
+            "error": made.error_target,
+            "max_depth": made.max_depth,
+            "spp": made.samples_per_pixel,
+            "time": made.time_limit,
+        }
+
+    plain = {**asdict(PRESETS[name]), "time": 0.0}
+    assert settings() == plain
+    assert settings(error=None, max_depth=None, spp=None, time=None) == plain
+    assert settings(error=0.5) == plain | {"error": 0.5}
+    assert settings(max_depth=0) == plain | {"max_depth": 0}
+    assert settings(spp=0) == plain | {"spp": 0}
+    assert settings(time=3.0) == plain | {"time": 3.0}
+
+
+def test_presets_ask_for_more_and_more() -> None:
+    presets = list(PRESETS.values())
+    for coarse, fine in pairwise(presets):
+        assert fine.error < coarse.error
+        assert fine.max_depth > coarse.max_depth
+        assert fine.spp > coarse.spp
+
+
 def test_wrong_on_purpose(stage: etendue.Stage) -> None:
     stage.render(**SMALL, adjoint=["refraction"], strategies=["emission_hit", "direct_light"])
 
@@ -260,6 +328,12 @@ def test_orthographic_camera(build: StageBuilder, integrator: str) -> None:
         ({"spp": 0}, "never end"),
         ({"time": -1.0}, "time is -1.0"),
         ({"time": float("nan")}, "time is nan"),
+        ({"preset": "best"}, "unknown preset 'best'; there are: draft, preview, final, reference"),
+        ({"preset": "draft", "max_depth": -1}, "max_depth is -1"),
+        ({"error": 0.0}, "error is 0.0"),
+        ({"error": -0.1}, "error is -0.1"),
+        ({"error": float("nan")}, "error is nan"),
+        ({"error": float("inf")}, "error is inf"),
         ({"max_depth": -1}, "max_depth is -1"),
         ({"threads": -1}, "threads is -1"),
     ],
@@ -384,16 +458,24 @@ def test_progress_callback_that_fails(stage: etendue.Stage) -> None:
 @pytest.mark.usefixtures("ctrl_c_interrupts")
 def test_ctrl_c_keeps_the_image(stage: etendue.Stage) -> None:
     pressed = threading.Event()
+    first = 3
 
     def interrupt(progress: etendue.RenderProgress) -> None:
-        if progress.passes_done >= 3 and not pressed.is_set():
+        if progress.passes_done >= first and not pressed.is_set():
             pressed.set()
             os.kill(os.getpid(), signal.SIGINT)
 
     with pytest.raises(etendue.Interrupted) as caught:
         stage.render(resolution=(16, 12), spp=1_000_000_000, progress=interrupt)
-    assert caught.value.image.statistics.passes >= 3
+    assert caught.value.image.statistics.passes >= first
     assert caught.value.image.color.any()
+
+    pressed.clear()
+    first = 100
+    with pytest.raises(etendue.Interrupted) as caught:
+        stage.render(resolution=(16, 12), error=1e-9, progress=interrupt)
+    assert caught.value.image.statistics.passes >= first
+    assert 0 < float(caught.value.image.metadata["etendue:error"]) < 1
 
 
 @pytest.mark.usefixtures("ctrl_c_interrupts")

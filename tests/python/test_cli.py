@@ -17,6 +17,7 @@ from PIL import Image as PilImage
 
 import etendue
 from etendue import cli
+from etendue.presets import PRESETS
 from support.exr_header import read_exr_header
 from support.stage_builder import StageBuilder
 
@@ -135,6 +136,34 @@ def test_warnings_are_lines(
     )
 
 
+def test_preset(file: Path, tmp_path: Path) -> None:
+    """What is given besides replaces what it sets, and nothing else."""
+    out = tmp_path / "a.exr"
+    arguments = ["render", str(file), "-o", str(out), "--resolution", "16x12", "--preset", "draft"]
+    assert cli.run(arguments) == 0
+    assert 0 < float(str(read_exr_header(out)["etendue:error"])) < PRESETS["draft"].error
+    assert read_exr_header(out)["etendue:spp"] == "16"
+    assert cli.run([*arguments, "--spp", "9"]) == 0
+    assert read_exr_header(out)["etendue:spp"] == "9"
+    assert cli.run([*arguments, "--error", "0.02"]) == 0
+    assert float(str(read_exr_header(out)["etendue:error"])) < 0.02
+
+
+def test_error_ends_the_render(
+    file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "a.exr"
+    arguments = ["--resolution", "16x12", "--error", "0.2"]
+    assert cli.run(["render", str(file), "-o", str(out), *arguments]) == 0
+    claimed = float(str(read_exr_header(out)["etendue:error"]))
+    assert 0 < claimed < 0.2
+    told = capsys.readouterr().err.splitlines()
+    assert re.search(r" spp, error [0-9.]+%, .*done in", told[-2])
+    match = re.search(r" spp, error ([0-9.]+)%, ", told[-1])
+    assert match
+    assert float(match[1]) / 100 == pytest.approx(claimed, rel=0.01)
+
+
 @pytest.mark.usefixtures("ctrl_c_interrupts")
 def test_ctrl_c_writes_what_there_is(file: Path, tmp_path: Path) -> None:
     out = tmp_path / "a.exr"
@@ -166,6 +195,12 @@ def test_ctrl_c_writes_what_there_is(file: Path, tmp_path: Path) -> None:
         (["--crop", "0,0,99,99"], "outside of the image"),
         (["--integrator", "path", "--strategy-images", "3"], "strategy images need the bdpt"),
         (["--time", "-1"], "time is -1.0"),
+        (["--error", "0"], "error is 0.0; it must be a positive number, 0.05 for 5 %"),
+        (["--error", "nan"], "error is nan"),
+        (
+            ["--preset", "best"],
+            "unknown preset 'best'; there are: draft, preview, final, reference",
+        ),
         (["--view", "nothing", "-o", "OUT.png"], "nothing"),
         (["--ocio", "missing.ocio", "-o", "OUT.png"], "missing.ocio"),
         (["-o", "OUT.gif"], "OUT.gif"),

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,9 +47,24 @@ struct StrategyImage {
 enum class InvalidKind { NotANumber, Infinite, Negative };
 inline constexpr int kInvalidKinds = 3;
 
+/// Where relative errors stop being relative: a pixel darker than this part of the picture's mean counts about as that
+/// bright. Black would divide by zero otherwise.
+inline constexpr double kDarkestPart = 0.02;
+
 struct RenderStatistics {
     std::int64_t passes = 0;  ///< complete passes
     double seconds = 0;
+    /// How far the picture is from what it converges to, relatively; infinite while unknown. It is sqrt(relMSE), where
+    /// relMSE is the mean over pixels of
+    ///
+    ///     (e_r^2 + e_g^2 + e_b^2) / 3 / (m^2 + (kDarkestPart M)^2)
+    ///
+    /// with e the pixel's error in each channel, m the mean of its true channels, and M that of the whole picture.
+    /// Channels count alike: noise in blue is noise. Estimated from the replicates that the variance AOV is made of, as
+    /// last looked at: passes since grew by less than a factor of two, none once the render has ended. Known from 8
+    /// complete passes on, if there is an error target or that AOV. It is noise that is estimated, without what a
+    /// finite depth leaves out, and only noise that has been seen: an event too rare for any pass so far is not in it.
+    double error = std::numeric_limits<double>::infinity();
     std::uint64_t camera_paths = 0;
     std::uint64_t light_paths = 0;
     std::uint64_t rays = 0;                              ///< intersection and visibility rays

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -14,9 +15,12 @@ namespace etendue {
 
 struct RenderProgress {
     std::int64_t passes_done = 0;
-    std::int64_t passes_total = 0;  ///< 0 when only time limits the render
-    double fraction = 0;            ///< 0..1, by whichever limit is nearer
+    std::int64_t passes_total = 0;  ///< 0 when they are not limited
+    /// 0..1, by whichever limit is nearer. For the error's it is a forecast, and may fall: passes done over those that
+    /// the last estimate asks for, since squared errors fall like 1 / passes.
+    double fraction = 0;
     double seconds = 0;
+    double error = std::numeric_limits<double>::infinity();  ///< RenderStatistics::error
     bool finished = false;
 };
 

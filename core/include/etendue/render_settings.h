@@ -63,9 +63,13 @@ struct RenderSettings {
     ApertureConform conform = ApertureConform::ExpandAperture;
 
     IntegratorKind integrator = IntegratorKind::Bdpt;
-    int samples_per_pixel = 64;  ///< one pass is one sample per pixel; 0: until the time limit
+    int samples_per_pixel = 64;  ///< one pass is one sample per pixel; 0: until another limit
     double time_limit = 0;       ///< seconds; 0: none. Whichever limit comes first ends the render
-    int max_depth = 16;          ///< bounces, s + t - 2; 0 shows emission only
+    /// RenderStatistics::error that is good enough; 0: none. It is looked at now and then from the 16th pass on, and
+    /// ends the render when it is below the target by twice its own standard error: one that rests on few pixels has to
+    /// be smaller. Costs 240 bytes a pixel.
+    double error_target = 0;
+    int max_depth = 16;  ///< bounces, s + t - 2; 0 shows emission only
     std::uint64_t seed = 0;
     int threads = 0;  ///< 0: all
 

@@ -14,4 +14,9 @@ inline bool asks_for(const RenderSettings& settings, std::initializer_list<Aov> 
     });
 }
 
+/// Whether the film has to know how far its replicates are apart.
+inline bool keeps_replicates(const RenderSettings& settings) {
+    return settings.error_target > 0 || asks_for(settings, {Aov::Variance});
+}
+
 }  // namespace etendue

@@ -27,7 +27,7 @@ Film::Film(const RenderSettings& settings, const PixelWindow& window, std::vecto
     camera_.resize(pixels);
     count_.resize(pixels);
     if (asks_for(settings, {Aov::Alpha, Aov::Depth, Aov::Normal, Aov::Albedo})) surface_.resize(pixels);
-    if (asks_for(settings, {Aov::Variance})) replicates_.resize(pixels);
+    if (keeps_replicates(settings)) replicates_.emplace(pixels);
 }
 
 void Film::add(const FilmTile& tile) {
@@ -49,7 +49,7 @@ void Film::add_samples(const FilmTile& tile) {
             const std::size_t pixel = pixel_index(window_, x, y);
             camera_[pixel] += sample->radiance;
             ++count_[pixel];
-            if (!replicates_.empty()) replicates_[pixel].camera += sample->radiance;
+            if (replicates_) replicates_->add_sample(pixel, sample->radiance);
             if (surface_.empty() || !sample->hit) continue;
             SurfaceSums& sums = surface_[pixel];
             sums.hits += 1;
@@ -63,17 +63,13 @@ void Film::add_samples(const FilmTile& tile) {
 void Film::add_splat(const Splat& splat) {
     spread_splat(filter_, window_, splat.raster, [&](std::size_t pixel, double weight) {
         splat_[pixel] += splat.value * weight;
-        if (!replicates_.empty()) replicates_[pixel].splat += splat.value * weight;
+        if (replicates_) replicates_->add_splat(pixel, splat.value * weight);
     });
 }
 
 void Film::end_pass() {
-    const std::uint64_t replicate = place_of_pass(static_cast<std::uint64_t>(statistics_.passes++)).replicate;
-    const double per_light_path = pass_light_paths_ > 0 ? 1 / static_cast<double>(pass_light_paths_) : 0;
-    for (ReplicateSums& sums : replicates_) {
-        sums.passes[replicate] += sums.camera + sums.splat * per_light_path;
-        sums.camera = sums.splat = {};
-    }
+    ++statistics_.passes;
+    if (replicates_) replicates_->end_pass(pass_light_paths_);
     pass_light_paths_ = 0;
 }
 
@@ -84,22 +80,9 @@ Rgb Film::color(std::size_t pixel) const {
     return value;
 }
 
-Rgb Film::variance(std::size_t pixel) const {
-    const auto ended = static_cast<std::uint64_t>(statistics_.passes);
-    const std::uint64_t replicates = std::min(ended, kReplicates);
-    if (replicates < 2) return Rgb(std::numeric_limits<double>::infinity());
-    const ReplicateSums& sums = replicates_[pixel];
-    const auto passes = static_cast<double>(ended);
-    Rgb mean;
-    for (const Rgb& sum : sums.passes) mean += sum / passes;
-    Rgb deviation;
-    for (std::uint64_t r = 0; r < replicates; ++r) {
-        const auto n = static_cast<double>(passes_of_replicate(r, ended));
-        const Rgb off = sums.passes[r] / n - mean;
-        deviation += off * off * n;
-    }
-    return deviation / (static_cast<double>(replicates - 1) * passes);
-}
+bool Film::shows_error() const { return replicates_ && replicates_->passes() >= kReplicates; }
+
+RelativeError Film::relative_error() const { return {*replicates_, window_.x1 - window_.x0}; }
 
 void Film::fill(Aov aov, std::span<float> out) const {
     for (std::size_t pixel = 0; pixel < camera_.size(); ++pixel) {
@@ -128,7 +111,7 @@ void Film::fill(Aov aov, std::span<float> out) const {
                 store(out, pixel, static_cast<double>(count_[pixel]));
                 break;
             case Aov::Variance:
-                store(out, pixel, variance(pixel));
+                store(out, pixel, replicates_->variance(pixel));
                 break;
         }
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,7 +10,8 @@
 
 #include "film/film_tile.h"
 #include "film/filter.h"
-#include "film/replicates.h"
+#include "film/relative_error.h"
+#include "film/replicate_sums.h"
 #include "film/strategy_planes.h"
 
 namespace etendue {
@@ -27,6 +28,10 @@ public:
     void end_pass();
 
     [[nodiscard]] RenderedImage image() const;
+    /// Whether the passes so far tell the picture's error: replicates are kept, and each has a complete one.
+    [[nodiscard]] bool shows_error() const;
+    /// Needs shows_error(); lives no longer than the next add().
+    [[nodiscard]] RelativeError relative_error() const;
 
 private:
     /// First-hit sums; kept only when an AOV asks for them.
@@ -36,17 +41,10 @@ private:
         Vec3 normal;
         Rgb albedo;
     };
-    /// The present pass, and the sum over the passes of each replicate.
-    struct ReplicateSums {
-        Rgb camera;
-        Rgb splat;
-        std::array<Rgb, kReplicates> passes;
-    };
 
     void add_samples(const FilmTile& tile);
     void add_splat(const Splat& splat);
     [[nodiscard]] Rgb color(std::size_t pixel) const;
-    [[nodiscard]] Rgb variance(std::size_t pixel) const;
     void fill(Aov aov, std::span<float> out) const;
 
     RenderSettings settings_;
@@ -55,8 +53,8 @@ private:
     std::vector<Rgb> camera_;
     std::vector<Rgb> splat_;  ///< empty until a splat arrives
     std::vector<std::uint32_t> count_;
-    std::vector<SurfaceSums> surface_;       ///< empty unless asked for
-    std::vector<ReplicateSums> replicates_;  ///< empty unless variance is asked for
+    std::vector<SurfaceSums> surface_;         ///< empty unless asked for
+    std::optional<ReplicateSums> replicates_;  ///< only if variance or an error is asked for
     StrategyPlanes strategies_;
     std::uint64_t pass_light_paths_ = 0;
     RenderStatistics statistics_;

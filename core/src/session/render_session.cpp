@@ -8,7 +8,9 @@
 #include <mutex>
 #include <thread>
 #include <utility>
+#include <vector>
 
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "film/asks_for.h"
@@ -17,8 +19,10 @@
 #include "scene/media_probe.h"
 #include "scene/off_surfaces.h"
 #include "scene/world_origin.h"
+#include "session/error_watch.h"
 #include "session/pass.h"
 #include "session/validate_settings.h"
+#include "util/hand_over.h"
 
 namespace etendue {
 namespace {
@@ -61,6 +65,25 @@ int thread_count(const RenderSettings& settings) {
     return settings.threads > 0 ? settings.threads : tbb::task_arena::automatic;
 }
 
+/// The same for any number of threads: they sum up fixed parts, which are added up in order.
+ErrorEstimate estimate_error(const RelativeError& error, const PixelFilter& filter) {
+    constexpr int kRows = 8;
+    std::vector<ErrorSums> parts(static_cast<std::size_t>((error.height() + kRows - 1) / kRows));
+    HandOver hand_over;
+    hand_over.give();
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+        hand_over.take();
+        const int begin = static_cast<int>(part) * kRows;
+        parts[part] = error.of_rows(begin, std::min(begin + kRows, error.height()));
+        hand_over.give();
+    });
+    hand_over.take();
+    ErrorSums sums;
+    for (const ErrorSums& part : parts) sums += part;
+    const double reach = std::max(1.0, 2 * filter.radius);
+    return sums.estimate(reach * reach);
+}
+
 }  // namespace
 
 class RenderSession::Impl {
@@ -75,7 +98,8 @@ public:
           camera_(off_surfaces(scene_, make_camera(scene, settings_, origin_))),
           integrator_(make_integrator(make_context(scene_, camera_, settings_))),
           runner_(*integrator_, render_window(settings_)),
-          film_(settings_, render_window(settings_), integrator_->image_strategies()) {}
+          film_(settings_, render_window(settings_), integrator_->image_strategies()),
+          watch_(settings_.error_target) {}
 
     ~Impl() {
         cancel();
@@ -123,10 +147,14 @@ public:
             const std::lock_guard lock(state_mutex_);
             p.finished = finished_;
             p.seconds = seconds();
+            p.passes_done = passes_done_;
+            p.error = watch_.error();
+            p.fraction = watch_.fraction(p.passes_done);
         }
-        p.passes_done = passes_done_;
         p.passes_total = settings_.samples_per_pixel;
-        if (p.passes_total > 0) p.fraction = static_cast<double>(p.passes_done) / static_cast<double>(p.passes_total);
+        if (p.passes_total > 0) {
+            p.fraction = std::max(p.fraction, static_cast<double>(p.passes_done) / static_cast<double>(p.passes_total));
+        }
         if (settings_.time_limit > 0) p.fraction = std::max(p.fraction, p.seconds / settings_.time_limit);
         p.fraction = p.finished ? 1 : std::min(p.fraction, 1.0);
         return p;
@@ -140,6 +168,7 @@ public:
         }
         const std::lock_guard lock(state_mutex_);
         image.statistics.seconds = seconds();
+        image.statistics.error = watch_.error();
         return image;
     }
 
@@ -158,7 +187,10 @@ private:
     void run() {
         std::exception_ptr failure;
         try {
-            arena_.execute([this] { render_passes(); });
+            arena_.execute([this] {
+                render_passes();
+                look_at_error();
+            });
         } catch (...) {
             failure = std::current_exception();
         }
@@ -194,8 +226,18 @@ private:
                 film_.end_pass();
             }
             ++passes_done_;
+            if (watch_.due(passes_done_)) look_at_error();
             if (callback_) callback_(progress());
+            if (watch_.reached()) return;
         }
+    }
+
+    /// Between passes: nobody changes the film.
+    void look_at_error() {
+        if (watch_.looked_at() == passes_done_ || !film_.shows_error()) return;
+        const ErrorEstimate estimate = estimate_error(film_.relative_error(), settings_.filter);
+        const std::lock_guard lock(state_mutex_);
+        watch_.look(passes_done_, estimate);
     }
 
     /// Waits while paused. Tiles are handed over one by one, so the others soon wait for this one.
@@ -222,6 +264,7 @@ private:
     std::unique_ptr<Integrator> integrator_;
     PassRunner runner_;
     Film film_;
+    ErrorWatch watch_;  ///< changed by the render's thread alone, and then under state_mutex_
 
     mutable std::mutex film_mutex_;
     std::mutex pause_mutex_;

@@ -41,8 +41,10 @@ void validate_settings(const RenderSettings& settings, const SceneDescription& s
     validate_window(settings);
     require(settings.samples_per_pixel >= 0, "samples per pixel must not be negative");
     require(settings.time_limit >= 0 && std::isfinite(settings.time_limit), "the time limit must not be negative");
-    require(settings.samples_per_pixel > 0 || settings.time_limit > 0,
-            "a render needs a number of samples per pixel or a time limit");
+    require(settings.error_target >= 0 && std::isfinite(settings.error_target),
+            "the error target must not be negative");
+    require(settings.samples_per_pixel > 0 || settings.time_limit > 0 || settings.error_target > 0,
+            "a render needs a number of samples per pixel, a time limit or an error target");
     require(settings.max_depth >= 0, "the maximum depth must not be negative");
     require(settings.max_depth <= kMostBounces, "the maximum depth is too large");
     require(settings.filter.radius <= kLargestFilter, "the filter radius is too large");

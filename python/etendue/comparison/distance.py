@@ -6,11 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from etendue import _core
 from etendue.arrays import FloatArray, Pixels
 from etendue.extras import extra
 
-#: A pixel darker than this part of the mean counts about as that bright: black divides by zero.
-DARKEST = 0.02
 #: Pixels that FLIP is measured on without being asked: it takes some 6 s a million.
 FLIP_PIXELS = 2**22
 #: Rows whose errors are in memory at a time.
@@ -54,11 +53,13 @@ def relative_squared_error(
     """Per pixel (..., h, w), of (..., h, w, 3) against (h, w, 3); its mean is called relMSE.
 
     (e_r^2 + e_g^2 + e_b^2) / 3 over m^2 + (0.02 M)^2, where m is the mean of the reference's
-    channels there and M its mean everywhere, or `mean`.
+    channels there and M its mean everywhere, or `mean`. 0.02 is DARKEST_PART: black would divide
+    by zero.
+    RenderStatistics.error is what a render expects the root of that mean to be.
     """
     right = reference.astype(np.float64)
     squared = ((images - right) ** 2).mean(axis=-1)
-    darkest = DARKEST * (right.mean() if mean is None else mean)
+    darkest = _core.DARKEST_PART * (right.mean() if mean is None else mean)
     relative: FloatArray = squared / (right.mean(axis=-1) ** 2 + darkest**2)
     return relative
 
