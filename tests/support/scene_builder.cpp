@@ -85,7 +85,7 @@ int SceneBuilder::shape(const GeometryDesc& geometry, int material, const Matrix
     shape.geometry = static_cast<int>(scene_.geometries.size());
     shape.materials = {material};
     shape.parent_from_object = world_from_object;
-    scene_.geometries.push_back(geometry);
+    scene_.geometries.emplace_back(geometry);
     scene_.shapes.push_back(shape);
     return static_cast<int>(scene_.shapes.size()) - 1;
 }

@@ -303,7 +303,7 @@ SceneDescription instanced_box() {
         shape.materials = {material};
         shape.parent_from_object = translation(where);
         for (std::size_t i : {0U, 5U, 10U}) shape.parent_from_object.m[i] = size;
-        scene.geometries.push_back(geometry);
+        scene.geometries.emplace_back(geometry);
         group.shapes.push_back(shape);
     };
     add(CubeDesc{1}, grey, {0, 0, 0}, 0.6);

@@ -94,7 +94,7 @@ struct PlacedBody {
             const Matrix4 inner = random_affine(rng, std::sqrt(p.scale), {}, false);
             const Matrix4 outer = random_affine(rng, std::sqrt(p.scale), offset, p.mirrored);
             world_from_body = Transform(outer) * Transform(inner);
-            b.scene().geometries.push_back(body.geometry);
+            b.scene().geometries.emplace_back(body.geometry);
             b.scene().groups = {{"/group", {{"/group/body", 0, {grey}, inner}}}};
             b.scene().instances = {{"/instance", 0, outer}};
         } else {
