@@ -21,11 +21,11 @@ from rich.console import Console
 
 import etendue
 from etendue.html import common_exposure, ratio_map_url
+from etendue.numbers import probability, short
 from etendue.validation.report import summary_table, write_report
 from etendue.validation.report.csv_file import COLUMNS, as_csv
 from etendue.validation.report.intervals import marks
 from etendue.validation.report.json_file import SCHEMA, as_json
-from etendue.validation.report.numbers import probability, short
 from etendue.validation.report.page import as_html
 from etendue.validation.report.plots import plot_url
 from etendue.validation.report.pyramids import levels
