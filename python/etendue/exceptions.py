@@ -49,7 +49,7 @@ class ValidationInterrupted(KeyboardInterrupt):
 
 
 class TradeoffInterrupted(KeyboardInterrupt):
-    """Ctrl-C during etendue.tradeoff(). `result` holds the candidates that had finished by then."""
+    """Ctrl-C during etendue.tradeoff(). `result` holds what had been rendered by then."""
 
     def __init__(self, result: TradeoffResult) -> None:
         super().__init__("the measurement was interrupted")

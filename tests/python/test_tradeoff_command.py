@@ -32,7 +32,7 @@ def stage(tmp_path: Path) -> str:
     return str(file)
 
 
-def measure_with(monkeypatch: pytest.MonkeyPatch, interrupt: str = "") -> None:
+def measure_with(monkeypatch: pytest.MonkeyPatch, interrupt: tuple[str, int] = ("", 0)) -> None:
     def renderer(stage: Stage, camera: str | None, resolution: tuple[int, int]) -> MadeUp:
         del stage, camera, resolution
         return MadeUp(WAYS, picture(), interrupt)
@@ -65,9 +65,9 @@ def test_a_real_stage(stage: str, tmp_path: Path, capsys: pytest.CaptureFixture[
     assert cli.run([*arguments, *only(*NAMES), "--out", str(out)]) == 0
     captured = capsys.readouterr()
     assert captured.err.splitlines() == [
-        "measuring 1/3: reference",
-        "measuring 2/3: path",
-        "measuring 3/3: bdpt",
+        "measuring 1/8: reference",
+        "measuring 2/8: trials",
+        *(f"measuring {number + 2}/8: round {number}" for number in range(1, 7)),
         f"wrote {out / 'index.html'}",
     ]
     assert "Best here is" in captured.out
@@ -98,7 +98,7 @@ def test_a_reference_file(
     arguments = ["tradeoff", stage, "--reference", str(file), "--out", str(out)]
     assert cli.run([*arguments, *only("light")]) == 0
     captured = capsys.readouterr()
-    assert captured.err.splitlines()[0] == "measuring 1/1: light"
+    assert captured.err.splitlines()[0] == "measuring 1/7: trials"
     assert "does not say how noisy it is" in captured.out
     document = json.loads((out / "results.json").read_text(encoding="utf-8"))
     assert document["resolution"] == [32, 24]
@@ -106,28 +106,42 @@ def test_a_reference_file(
     assert document["candidates"][0]["verdict"] == "unknown"
 
 
+@pytest.mark.parametrize(
+    ("when", "told", "kept"),
+    [
+        (("bdpt", 4), "interrupted after 3 rounds", ["path", "light", "bdpt"]),
+        (("light", 2), "interrupted after 2 rounds, 2 candidates not measured", ["path"]),
+    ],
+)
 def test_interrupted(
-    stage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """Path finishes; Ctrl-C comes in the candidate after it."""
-    measure_with(monkeypatch, interrupt="light")
-    arguments = ["tradeoff", stage, "--resolution", "32x24", *only("path", "light", "bdpt")]
-    assert cli.run([*arguments, "--out", str(tmp_path / "out")]) == 130
-    assert "interrupted, 2 candidates not run" in " ".join(capsys.readouterr().out.split())
-    document = json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))
-    assert [one["name"] for one in document["candidates"]] == ["path"]
-    assert document["not_run"] == ["light", "bdpt"]
-
-
-@pytest.mark.parametrize("first", ["reference", "light"])
-def test_interrupted_before_anything_was_found(
-    first: str,
+    when: tuple[str, int],
+    told: str,
+    kept: list[str],
     stage: str,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    measure_with(monkeypatch, interrupt=first)
+    """All are kept that have two renders."""
+    measure_with(monkeypatch, interrupt=when)
+    arguments = ["tradeoff", stage, "--resolution", "32x24", *only("path", "light", "bdpt")]
+    assert cli.run([*arguments, "--out", str(tmp_path / "out")]) == 130
+    assert told in " ".join(capsys.readouterr().out.split())
+    document = json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))
+    assert document["interrupted"]
+    assert [one["name"] for one in document["candidates"]] == kept
+    assert document["not_run"] == [name for name in ("path", "light", "bdpt") if name not in kept]
+
+
+@pytest.mark.parametrize("when", [("reference", 0), ("light", 0), ("light", 2)])
+def test_interrupted_before_anything_was_found(
+    when: tuple[str, int],
+    stage: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    measure_with(monkeypatch, interrupt=when)
     out = tmp_path / "out"
     arguments = ["tradeoff", stage, "--resolution", "32x24", *only("light"), "--out", str(out)]
     assert cli.run(arguments) == 130
@@ -175,7 +189,7 @@ def test_api(stage: str) -> None:
         resolution=(12, 9),
         progress=lambda *step: steps.append(step),
     )
-    assert steps == [("reference", 0, 2), ("light", 1, 2)]
+    assert steps[:2] == [("reference", 0, 8), ("trials", 1, 8)]
     assert found["light"].picture.shape == (9, 12, 3)
     assert np.isfinite(found["light"].picture).all()
     with pytest.raises(KeyError):

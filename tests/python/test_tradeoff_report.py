@@ -176,7 +176,9 @@ def test_verdicts_in_words(found: TradeoffResult) -> None:
 
 def test_slopes_in_words(found: TradeoffResult) -> None:
     assert slope_sentence(found["light"]).startswith("As straight as noise makes it")
-    assert slope_sentence(found["bdpt-depth-4"]).startswith("Bends towards flat")
+    assert slope_sentence(found["bdpt-depth-4"]).startswith("Bends towards flat: ")
+    assert -0.8 < found["bdpt-depth-4"].end_slope < 0
+    assert found["light"].end_slope == pytest.approx(-1, abs=0.1)
 
 
 def test_choices_in_words(found: TradeoffResult) -> None:
@@ -185,8 +187,8 @@ def test_choices_in_words(found: TradeoffResult) -> None:
     assert told.startswith("Paths from the lamps, joined to the camera. The default takes 2.")
     assert told.endswith(" times as long for the same error.")
     assert headline(found).startswith("Best here is light: ")
-    stopped = dataclasses.replace(found, not_run=("bdpt-no-roulette",))
-    assert headline(stopped).endswith("; interrupted, 1 candidate not run")
+    stopped = dataclasses.replace(found, interrupted=True, not_run=("bdpt-balance",))
+    assert headline(stopped).endswith("; interrupted after 6 rounds, 1 candidate not measured")
 
 
 def test_what_cannot_be_concluded_is_told(found: TradeoffResult) -> None:

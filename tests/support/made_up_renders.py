@@ -52,11 +52,11 @@ def parts(random: np.random.Generator, truth: FloatArray, noise: float, passes: 
 
 @dataclass
 class MadeUp:
-    """A Renderer. `interrupt`: name of the candidate in which Ctrl-C comes."""
+    """A Renderer. `interrupt`: in the n-th render of which candidate Ctrl-C comes."""
 
     ways: Mapping[str, Way]
     truth: FloatArray
-    interrupt: str = ""
+    interrupt: tuple[str, int] = ("", 0)
     asked: list[str] = field(default_factory=list)
 
     def pass_seconds(self, options: RenderOptions, limit: float, seed: int) -> float:
@@ -68,8 +68,6 @@ class MadeUp:
         self, options: RenderOptions, rungs: Sequence[int], seed: int
     ) -> Sequence[Snapshot]:
         way = self._way(options)
-        if self.interrupt and self.asked[-1] == self.interrupt:
-            raise KeyboardInterrupt
         random = np.random.default_rng(seed)
         found = self.truth * self._found(way)[..., None]
         steps = np.diff([0, *rungs])
@@ -81,14 +79,14 @@ class MadeUp:
 
     def long_render(self, options: RenderOptions, passes: int, seed: int) -> LongRender:
         way = self._way(options)
-        if self.interrupt == self.asked[-1]:
-            raise KeyboardInterrupt
         return parts(np.random.default_rng(seed), self.truth, way.noise, passes)
 
     def _way(self, options: RenderOptions) -> Way:
         name = next((c.name for c in CANDIDATES if c.options == options), "reference")
-        if name not in self.asked:
-            self.asked.append(name)
+        self.asked.append(name)
+        # The first time it is asked for the trial.
+        if (name, self.asked.count(name) - 1) == self.interrupt:
+            raise KeyboardInterrupt
         return self.ways.get(name, Way())
 
     def _found(self, way: Way) -> FloatArray:
@@ -114,7 +112,7 @@ def made_up_result(
     ways: Mapping[str, Way] = WAYS,
     only: Sequence[str] | None = None,
     reference: Path | None = None,
-    interrupt: str = "",
+    interrupt: tuple[str, int] = ("", 0),
 ) -> TradeoffResult:
     """Of tradeoff(), with renders of 24 x 32 pixels."""
 

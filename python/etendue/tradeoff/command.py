@@ -53,7 +53,7 @@ def tradeoff_command(
 ) -> int:
     """Measure how good a picture each way to render the stage gives in how much time.
 
-    Ctrl-C tells of, and writes, the candidates that have finished.
+    All are rendered in turn, in rounds; Ctrl-C tells of, and writes, the rounds that have finished.
     """
     if out is not None:
         check_report(out)

@@ -10,6 +10,7 @@ import numpy as np
 
 from etendue.arrays import FloatArray, Pixels
 from etendue.comparison.distance import relative_squared_error
+from etendue.comparison.tiles import tile_numbers, tile_sums
 from etendue.luminance import luminance, quotient
 from etendue.tradeoff.candidates import Candidate
 from etendue.tradeoff.fit import Floor, curve, floor, positive_mean, shared_error, slope
@@ -32,20 +33,37 @@ def ladder(longest: int) -> tuple[int, ...]:
     return tuple(sorted({max(1, longest >> halvings) for halvings in range(_HALVINGS + 1)}))
 
 
-def measure(
-    candidate: Candidate,
-    renderer: Renderer,
-    reference: Reference,
-    seconds: float,
-    seeds: Sequence[int],
-) -> Measured:
-    """Renders with all seeds but the first, which is of the trial that tells how many passes take
-    `seconds`."""
-    trial, *others = seeds
-    each = renderer.pass_seconds(candidate.options, seconds / 2, trial)
-    rungs = ladder(max(_LEAST, round(seconds / each)))
-    takes = (renderer.snapshots(candidate.options, rungs, seed) for seed in others)
-    return measured(candidate, takes, reference)
+class Measuring:
+    """A candidate in the course of being measured, one render after another."""
+
+    def __init__(
+        self,
+        candidate: Candidate,
+        renderer: Renderer,
+        reference: Reference,
+        seconds: float,
+        seed: int,
+    ) -> None:
+        """Makes a trial, which tells how many passes take `seconds`: half as long, if a pass is."""
+        self.candidate = candidate
+        self._renderer = renderer
+        self._reference = reference
+        each = renderer.pass_seconds(candidate.options, seconds / 2, seed)
+        self._rungs = ladder(max(_LEAST, round(seconds / each)))
+        self._seen = _Seen(reference)
+
+    def take(self, seed: int) -> None:
+        """Renders once more."""
+        options = self.candidate.options
+        self._seen.add(self._renderer.snapshots(options, self._rungs, seed))
+
+    @property
+    def takes(self) -> int:
+        return len(self._seen.errors)
+
+    def measured(self) -> Measured:
+        """Of two takes at least."""
+        return _measured(self.candidate, self._seen, self._reference)
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,8 +76,10 @@ class Measured:
     """(n,): relMSE x seconds of the longest renders."""
 
     def relative_to(self, best: Measured) -> CandidateResult:
-        """Efficiency over that of the best."""
-        found = Samples(best.costs, self.costs).estimate()
+        """Efficiency over that of the best, from the rounds that both have: what slowed the machine
+        down in one of them slowed both."""
+        rounds = min(best.costs.size, self.costs.size)
+        found = Samples(best.costs[:rounds], self.costs[:rounds]).estimate()
         return replace(self.result, relative_efficiency=replace(found, low=max(found.low, 0.0)))
 
 
@@ -70,6 +90,10 @@ def measured(
     seen = _Seen(reference)
     for take in takes:
         seen.add(take)
+    return _measured(candidate, seen, reference)
+
+
+def _measured(candidate: Candidate, seen: _Seen, reference: Reference) -> Measured:
     errors, times = np.array(seen.errors), np.array(seen.times)
     of_mean = seen.of_mean
     shared = shared_error(of_mean, seen.of_each, len(errors), seen.noise)
@@ -92,7 +116,7 @@ def measured(
         brightness=Samples(np.array(seen.means), luminance(reference.color).mean()).estimate(),
         outliers=_outliers(seen.of_each),
         picture=seen.first,
-        ratio=quotient(luminance(seen.mean), luminance(reference.color)),
+        ratio=_tiled_ratio(luminance(seen.mean), luminance(reference.color)),
     )
     return Measured(result, costs)
 
@@ -163,6 +187,12 @@ def _inverse(positive: Estimate) -> Estimate:
     low = 1 / positive.high if positive.high > 0 else 0.0
     high = 1 / positive.low if positive.low > 0 else inf
     return Estimate(1 / positive.value, low, high, positive.level)
+
+
+def _tiled_ratio(measured: FloatArray, right: FloatArray) -> FloatArray:
+    """(h, w), of the tiles that pixels lie in: of single pixels, noise would hide what is off."""
+    tiles = tile_numbers(*right.shape)
+    return quotient(tile_sums(measured, tiles)[tiles], tile_sums(right, tiles)[tiles])
 
 
 def _outliers(squared: FloatArray) -> float:

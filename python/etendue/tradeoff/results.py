@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import isfinite
+from math import isfinite, log, nan
 from typing import Literal
 
 from etendue.arrays import FloatArray
@@ -62,7 +62,8 @@ class CandidateResult:
     picture: FloatArray
     """(h, w, 3), scene-linear: the longest render of one seed."""
     ratio: FloatArray
-    """(h, w): luminance of the mean picture over the reference's; NaN where that is black."""
+    """(h, w): luminance of the mean picture over the reference's, tile by tile; NaN where that is
+    black."""
 
     @property
     def name(self) -> str:
@@ -77,6 +78,16 @@ class CandidateResult:
     def hidden_floor(self) -> float:
         """relMSE that would not have been seen in the noise; no floor is negative."""
         return max(self.floor.high, self.floor.high - self.floor.value)
+
+    @property
+    def end_slope(self) -> float:
+        """From one of the longest renders to the mean of all, which is worth as many times as long;
+        NaN where an error, freed of the reference's noise, is not positive."""
+        last, pooled = self.rungs[-1], self.pooled
+        if not (last.rel_mse.value > 0 and pooled.rel_mse.value > 0):
+            return nan
+        longer = pooled.seconds / last.seconds
+        return log(pooled.rel_mse.value / last.rel_mse.value) / log(longer)
 
     @property
     def pass_seconds(self) -> float:
@@ -134,7 +145,7 @@ class TradeoffResult:
     full_resolution: tuple[int, int]
     """That a render of the stage has by default: its times are longer by the pixels."""
     seeds: int
-    """Independent renders behind every interval."""
+    """Independent renders behind every interval, at least."""
     seed: int
     level: float
     """Confidence of the intervals, each by itself."""
@@ -149,7 +160,8 @@ class TradeoffResult:
     environment: Mapping[str, str]
     seconds: float
     not_run: tuple[str, ...] = ()
-    """Candidates that were asked for, before Ctrl-C."""
+    """Candidates that were asked for, and rendered less than twice before Ctrl-C."""
+    interrupted: bool = False
 
     def __getitem__(self, name: str) -> CandidateResult:
         """KeyError when it was not measured."""

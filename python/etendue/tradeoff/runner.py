@@ -6,7 +6,7 @@ import math
 import os
 import time as clock
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from hashlib import blake2b
 
 from etendue.exceptions import SettingsError, TradeoffInterrupted
@@ -16,7 +16,7 @@ from etendue.stage import Stage, open_stage
 from etendue.tradeoff.candidates import Candidate, chosen_candidates
 from etendue.tradeoff.fit import FALSE_ALARM
 from etendue.tradeoff.front import choices, front
-from etendue.tradeoff.measurement import Measured, measure
+from etendue.tradeoff.measurement import Measured, Measuring
 from etendue.tradeoff.reference import Reference, read_reference, render_reference
 from etendue.tradeoff.rendering import Renderer, StageRenderer
 from etendue.tradeoff.results import ReferenceResult, TradeoffResult
@@ -63,7 +63,7 @@ def tradeoff(
     machine. Raises what etendue.open() and Stage.render() raise, SettingsError for a name that is
     not known or a time that is no time, FileError and ComparisonError for a reference, Error when
     the extra `report` is not installed, and on Ctrl-C TradeoffInterrupted, which carries the
-    candidates that have finished.
+    candidates that have been rendered twice at least.
     """
     if not (time > 0 and math.isfinite(time)):
         raise SettingsError(f"time is {time}; it must be a positive number of seconds")
@@ -96,49 +96,67 @@ class _Run:
     chosen: tuple[Candidate, ...]
     renderer: Renderer
     started: float = field(default_factory=clock.perf_counter)
-    finished: list[Measured] = field(default_factory=list)
+    measurings: list[Measuring] = field(default_factory=list)
 
     def all(self, reference: Reference | None, progress: StepProgress | None) -> TradeoffResult:
-        left = self.time
-        # A file is there already.
-        steps = len(self.chosen) + (reference is None)
+        """In rounds of one render of each candidate: a machine that is slower for a while is so for
+        all of them alike, and Ctrl-C leaves the rounds before."""
+        names = ["trials", *(f"round {number + 1}" for number in range(SEEDS))]
         if reference is None:
+            names.insert(0, "reference")
+        steps = iter(enumerate(names))
+
+        def next_step() -> None:
+            done, name = next(steps)
             if progress:
-                progress("reference", 0, steps)
+                progress(name, done, len(names))
+
+        left = self.time
+        if reference is None:
+            next_step()
+            seed = self._seed("reference", 0)
+            reference = render_reference(self.renderer, _REFERENCE_PART * self.time, seed)
             left -= _REFERENCE_PART * self.time
-            reference = render_reference(
-                self.renderer, _REFERENCE_PART * self.time, self._seed("reference", 0)
-            )
-        # A trial, of half as long as the others, comes first.
-        seconds = left / (len(self.chosen) * (SEEDS + 0.5))
         try:
-            for candidate in self.chosen:
-                if progress:
-                    done = steps - len(self.chosen) + len(self.finished)
-                    progress(candidate.name, done, steps)
-                seeds = [self._seed(candidate.name, take) for take in range(SEEDS + 1)]
-                self.finished.append(measure(candidate, self.renderer, reference, seconds, seeds))
+            next_step()
+            self._try_all(reference, left / (len(self.chosen) * (SEEDS + 0.5)))
+            for number in range(SEEDS):
+                next_step()
+                for measuring in self.measurings:
+                    measuring.take(self._seed(measuring.candidate.name, number + 1))
         except KeyboardInterrupt:
-            if not self.finished:
+            if not self._finished:
                 raise
-            not_run = tuple(left.name for left in self.chosen[len(self.finished) :])
-            found = replace(self._result(reference), not_run=not_run)
-            raise TradeoffInterrupted(found) from None
+            raise TradeoffInterrupted(self._result(reference)) from None
         return self._result(reference)
+
+    def _try_all(self, reference: Reference, seconds: float) -> None:
+        """`seconds` of each render to come; a trial takes half of that."""
+        for candidate in self.chosen:
+            seed = self._seed(candidate.name, 0)
+            self.measurings.append(Measuring(candidate, self.renderer, reference, seconds, seed))
+
+    @property
+    def _finished(self) -> list[Measuring]:
+        """Those of which anything can be said."""
+        return [measuring for measuring in self.measurings if measuring.takes > 1]
 
     def _seed(self, name: str, take: int) -> int:
         key = f"{self.seed} {name} {take}".encode()
         return int.from_bytes(blake2b(key, digest_size=7).digest(), "little")
 
     def _result(self, reference: Reference) -> TradeoffResult:
-        best = _best(self.finished)
-        candidates = tuple(one.relative_to(best) for one in self.finished)
+        finished = self._finished
+        measured = [measuring.measured() for measuring in finished]
+        best = _best(measured)
+        candidates = tuple(one.relative_to(best) for one in measured)
+        names = {one.name for one in candidates}
         return TradeoffResult(
             stage=self.stage.source,
             camera=self.camera,
             resolution=self.resolution,
             full_resolution=self.full_resolution,
-            seeds=SEEDS,
+            seeds=min(measuring.takes for measuring in finished),
             seed=self.seed,
             level=LEVEL,
             false_alarm_rate=at_least_one(FALSE_ALARM, len(candidates)),
@@ -150,10 +168,12 @@ class _Run:
             front=front(candidates),
             environment=environment(),
             seconds=clock.perf_counter() - self.started,
+            not_run=tuple(one.name for one in self.chosen if one.name not in names),
+            interrupted=any(measuring.takes < SEEDS for measuring in self.measurings),
         )
 
 
-def _best(finished: list[Measured]) -> Measured:
+def _best(measured: list[Measured]) -> Measured:
     """The most efficient without a floor, if there is one: others' errors stop falling."""
-    honest = [one for one in finished if one.result.verdict != "floor"] or finished
+    honest = [one for one in measured if one.result.verdict != "floor"] or measured
     return min(honest, key=lambda one: float(one.costs.mean()))

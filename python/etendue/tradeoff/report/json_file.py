@@ -33,6 +33,7 @@ def _document(result: TradeoffResult) -> dict[str, Any]:
         "false_alarm_rate": float(result.false_alarm_rate),
         "seconds": float(result.seconds),
         "environment": dict(result.environment),
+        "interrupted": bool(result.interrupted),
         "not_run": list(result.not_run),
         "cannot_be_concluded": list(cannot_be_concluded(result)),
         "reference": {
@@ -70,6 +71,7 @@ def _candidate(found: CandidateResult) -> dict[str, Any]:
         "rungs": [_rung(rung) for rung in found.rungs],
         "pooled": _rung(found.pooled),
         "slope": estimate_document(found.slope),
+        "end_slope": finite(found.end_slope),
         "floor": estimate_document(found.floor),
         "floor_p_value": finite(found.floor_p_value),
         "curve": {

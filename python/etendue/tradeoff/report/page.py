@@ -36,6 +36,7 @@ _TEMPLATE = Path(__file__).parent / "tradeoff.html.j2"
 def as_html(result: TradeoffResult) -> str:
     """Raises Error when the extra `report` is missing."""
     exposure = common_exposure(result.reference.picture)
+    longest = longest_choice(result)
     return rendered(
         _TEMPLATE,
         {
@@ -49,13 +50,13 @@ def as_html(result: TradeoffResult) -> str:
             "legend": legend(FULL_SCALE),
             "cautions": list(cannot_be_concluded(result)),
             "plot_font_size": FONT_SIZE,
-            "choice_sentence": choice_sentence,
+            "reasons": _reasons(result),
+            "why": None if longest is None else choice_sentence(result, longest),
             "counted": counted,
             "duration": duration,
             "efficiency_text": efficiency_text,
             "error_percent": error_percent,
             "interval": interval_text,
-            "longest_choice": longest_choice(result),
             "percent": percent,
             "probability": probability,
             "run_sentence": run_sentence,
@@ -65,6 +66,15 @@ def as_html(result: TradeoffResult) -> str:
             "slope_sentence": slope_sentence,
         },
     )
+
+
+def _reasons(result: TradeoffResult) -> list[str]:
+    """For the choices; what has just been said is not said again."""
+    told = [choice_sentence(result, choice) for choice in result.choices]
+    return [
+        "As above." if number and told[number - 1] == sentence else sentence
+        for number, sentence in enumerate(told)
+    ]
 
 
 def _card(result: TradeoffResult, found: CandidateResult, exposure: float) -> dict[str, Any]:

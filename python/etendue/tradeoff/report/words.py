@@ -75,10 +75,12 @@ def _brightness(found: CandidateResult) -> str:
 def slope_sentence(found: CandidateResult) -> str:
     """What the line does."""
     slope = found.slope
-    if not is_known(slope):
+    if found.verdict == "floor":
+        return f"Bends towards flat: at its end the slope is {found.end_slope:.2f}."
+    if not is_known(slope) or slope.high - slope.low > 0.5:
         return "Too noisy for a line."
     if slope.low > -0.95:
-        return "Bends towards flat: more time helps less and less."
+        return "Flatter than noise alone makes it: more time helps less than it should."
     if slope.high < -1.05:
         return "Steeper than independent samples make it: they are spread evenly."
     return "As straight as noise makes it: twice the time, half the squared error."
@@ -137,8 +139,11 @@ def _doubted(result: TradeoffResult, choice: Choice) -> CandidateResult | None:
 def headline(result: TradeoffResult) -> str:
     """One line: what to render with."""
     told = _best(result)
+    if not result.interrupted:
+        return told
     left = len(result.not_run)
-    return f"{told}; interrupted, {counted(left, 'candidate')} not run" if left else told
+    lost = f", {counted(left, 'candidate')} not measured" if left else ""
+    return f"{told}; interrupted after {counted(result.seeds, 'round')}{lost}"
 
 
 def _best(result: TradeoffResult) -> str:
