@@ -157,10 +157,12 @@ def candidate_names() -> tuple[str, ...]:
 
 
 def chosen_candidates(names: Iterable[str] | None) -> tuple[Candidate, ...]:
-    """By name, default all. Raises SettingsError for a name that is not known."""
+    """By name, default all. Raises SettingsError for an unknown name, and for no name at all."""
     if names is None:
         return CANDIDATES
     wanted = list(names)
+    if not wanted:
+        raise SettingsError("no candidate is named; there is nothing to measure")
     for name in wanted:
         if name not in candidate_names():
             known = ", ".join(candidate_names())

@@ -111,16 +111,13 @@ def curve(errors: FloatArray, times: FloatArray, found: Floor) -> Curve:
     """Of (n, rungs) each.
 
     b is the floor's, if it is resolved: what renders have in common says more of it than the bend
-    of a curve. a is then of least squares; rungs count as much as their passes say, relative to
-    their error: where the slope is not quite -1, the end of the curve is what is gone on from.
+    of a curve. a is the mean of (relMSE - b) t, rungs weighted by their time: where the slope is
+    not quite -1, the end of the curve is what is gone on from. Weights by the errors themselves
+    would prefer rungs that happened to miss rare bright samples.
     """
     b = max(found.estimate.value, 0.0) if found.resolved else 0.0
-    t, mean = times.mean(axis=0), errors.mean(axis=0)
-    weights = t / np.where(mean > 0, mean, inf) ** 2
-    total = float((weights / t**2).sum())
-    if total == 0:
-        return Curve(Estimate(nan, -inf, inf, LEVEL), b)
-    return Curve(positive_mean((weights * (errors - b) / t).sum(axis=1) / total), b)
+    t = times.mean(axis=0)
+    return Curve(positive_mean(((errors - b) * t * t).sum(axis=1) / t.sum()), b)
 
 
 def _log_slope(errors: FloatArray, times: FloatArray) -> float:

@@ -59,11 +59,16 @@ def expected(found: CandidateResult, seconds: float) -> Estimate:
 
 
 def choose(candidates: Sequence[CandidateResult], seconds: float) -> Choice | None:
-    """Among those that finish a pass in that time; None when nobody does."""
+    """Among those that finish a pass in that time; None when nobody does.
+
+    What rests on a few pixels may be far worse than it seems, and is not chosen if there is
+    anything else.
+    """
     ready = [found for found in candidates if found.pass_seconds <= seconds]
     if not ready:
         return None
-    ranked = sorted(ready, key=lambda found: expected(found, seconds).value)
+    sure = [found for found in ready if not found.fireflies] or ready
+    ranked = sorted(sure, key=lambda found: expected(found, seconds).value)
     best, others = ranked[0], ranked[1:]
     error = expected(best, seconds)
     as_good = tuple(

@@ -16,7 +16,7 @@ from etendue.tradeoff.candidates import Candidate
 from etendue.tradeoff.fit import Floor, curve, floor, positive_mean, shared_error, slope
 from etendue.tradeoff.reference import Reference
 from etendue.tradeoff.rendering import Renderer, Snapshot
-from etendue.tradeoff.results import HIDING, CandidateResult, Rung, Verdict
+from etendue.tradeoff.results import FIREFLIES, HIDING, CandidateResult, Rung, Verdict
 from etendue.validation.results import Estimate
 from etendue.validation.statistics import LEVEL, Samples
 
@@ -102,6 +102,7 @@ def _measured(candidate: Candidate, seen: _Seen, reference: Reference) -> Measur
         found = replace(found, p_value=nan)
     costs = errors[:, -1] * times[:, -1]
     cost = positive_mean(costs)
+    outliers = _outliers(seen.of_each)
     result = CandidateResult(
         candidate=candidate,
         rungs=_rungs(seen.passes, errors, times),
@@ -109,12 +110,12 @@ def _measured(candidate: Candidate, seen: _Seen, reference: Reference) -> Measur
         slope=slope(errors, times),
         floor=found.estimate,
         floor_p_value=found.p_value,
-        verdict=_verdict(found),
+        verdict=_verdict(found, outliers),
         curve=curve(errors, times, found),
         efficiency=_inverse(cost),
         relative_efficiency=Estimate(nan, -inf, inf, LEVEL),
         brightness=Samples(np.array(seen.means), luminance(reference.color).mean()).estimate(),
-        outliers=_outliers(seen.of_each),
+        outliers=outliers,
         picture=seen.first,
         ratio=_tiled_ratio(luminance(seen.mean), luminance(reference.color)),
     )
@@ -174,11 +175,12 @@ def _pooled(passes: int, errors: FloatArray, times: FloatArray, of_mean: float) 
     return Rung(len(errors) * passes, float(times[:, -1].sum()), error)
 
 
-def _verdict(found: Floor) -> Verdict:
+def _verdict(found: Floor, outliers: float) -> Verdict:
     if found.resolved:
         return "floor"
     arm = found.estimate.high - found.estimate.value
-    return "unknown" if np.isnan(found.p_value) or arm > HIDING else "converges"
+    hidden = np.isnan(found.p_value) or arm > HIDING or outliers > FIREFLIES
+    return "unknown" if hidden else "converges"
 
 
 def _inverse(positive: Estimate) -> Estimate:

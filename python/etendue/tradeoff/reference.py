@@ -14,7 +14,7 @@ from etendue.comparison.distance import relative_squared_error, squared_brightne
 from etendue.comparison.exr import read_exr
 from etendue.comparison.matching import check_lit
 from etendue.comparison.picture import Picture
-from etendue.exceptions import ComparisonError
+from etendue.exceptions import ComparisonError, SceneError
 from etendue.presets import PRESETS
 from etendue.settings import RenderOptions
 from etendue.tradeoff.rendering import Renderer
@@ -60,12 +60,17 @@ class Reference:
         return ratio
 
 
-def render_reference(renderer: Renderer, seconds: float, seed: int) -> Reference:
-    """Takes about that long, or eight passes if they are longer."""
+def render_reference(renderer: Renderer, view: str, seconds: float, seed: int) -> Reference:
+    """Takes about that long, or eight passes if they are longer.
+
+    Raises SceneError, naming the view, for a black picture.
+    """
     each = renderer.pass_seconds(OPTIONS, seconds / 20, seed)
     rounds = max(1, round(seconds / (_PARTS * each)))
     passes = _PARTS * rounds
     image = renderer.long_render(OPTIONS, passes, seed)
+    if not image.color.any():
+        raise SceneError(f"{view} sees no light; there is no error to measure")
     described = f"bdpt, at most {OPTIONS['max_depth']} bounces, {passes:,} samples a pixel"
     return _reference(image.color, image.variance, described, passes * each)
 

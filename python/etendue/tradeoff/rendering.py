@@ -61,9 +61,7 @@ class StageRenderer:
 
     def pass_seconds(self, options: RenderOptions, limit: float, seed: int) -> float:
         watch = _Watch([1])
-        session = self._session(options, seed, watch, {"spp": 0, "time": limit})
-        watch.start(session)
-        session.run()
+        watch.run(self._session(options, seed, watch, {"spp": 0, "time": limit}))
         if not watch.passes:
             # Not one pass in that time.
             return self.snapshots(options, [1], seed)[0].seconds
@@ -73,9 +71,7 @@ class StageRenderer:
         self, options: RenderOptions, rungs: Sequence[int], seed: int
     ) -> Sequence[Snapshot]:
         watch = _Watch(rungs)
-        session = self._session(options, seed, watch, {"spp": rungs[-1]})
-        watch.start(session)
-        session.run()
+        watch.run(self._session(options, seed, watch, {"spp": rungs[-1]}))
         return watch.taken
 
     def long_render(self, options: RenderOptions, passes: int, seed: int) -> LongRender:
@@ -104,9 +100,14 @@ class _Watch:
     _begin: float = 0.0
     _session: Session | None = None
 
-    def start(self, session: Session) -> None:
+    def run(self, session: Session) -> None:
         self._session = session
         self._begin = time.process_time()
+        try:
+            session.run()
+        finally:
+            # The session holds us, where no garbage collector sees it: it would stay for ever.
+            self._session = None
 
     def __call__(self, progress: RenderProgress) -> None:
         if progress.finished or self._session is None:

@@ -48,8 +48,8 @@ class CandidateResult:
     floor_p_value: float
     """How probable a floor this high is where there is none; NaN where it cannot be told."""
     verdict: Verdict
-    """unknown: the reference's own noise is not known, the picture has too few parts, or noise
-    would hide a floor as high as HIDING."""
+    """unknown: the reference's own noise is not known, the picture has too few parts, noise would
+    hide a floor as high as HIDING, or there are fireflies: more of them may have been missed."""
     curve: Curve
     efficiency: Estimate
     """1 / (relMSE x seconds), of the longest renders."""

@@ -115,7 +115,8 @@ class _Run:
         if reference is None:
             next_step()
             seed = self._seed("reference", 0)
-            reference = render_reference(self.renderer, _REFERENCE_PART * self.time, seed)
+            view = f"{self.stage.source}: {self.camera}"
+            reference = render_reference(self.renderer, view, _REFERENCE_PART * self.time, seed)
             left -= _REFERENCE_PART * self.time
         try:
             next_step()
