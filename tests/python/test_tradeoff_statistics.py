@@ -243,16 +243,18 @@ def test_who_is_not_told_from_the_best_is_named() -> None:
 
 
 def test_curve_is_not_misled_by_rungs_that_missed_rare_light() -> None:
-    """One sample in 200 is 200 times as bright as all others: the mean of the curves over 400 seeds
-    is right to 5 %, where a standard error is 1.5 %."""
+    """One sample in 1,000 makes nearly all the error: the mean of the curves over 400 seeds is
+    right to 8 %, where a standard error is 2.3 %."""
     noise = []
     for seed in range(400):
         random = np.random.default_rng(seed)
         # Sums over passes of the squared error of 64 pixels: a mean of rare bright squares.
-        hits = random.poisson(64 * np.diff([0.0, *TIMES]) / 200, (SEEDS, TIMES.size)).cumsum(axis=1)
-        errors = hits / (64 * TIMES / 200) / TIMES
+        hits = random.poisson(64 * np.diff([0.0, *TIMES]) / 1000, (SEEDS, TIMES.size)).cumsum(
+            axis=1
+        )
+        errors = (hits / (64 * TIMES / 1000) + 0.01) / TIMES
         noise.append(curve(errors, times(), Floor(estimate(0.0, 1.0), 0.5)).noise.value)
-    assert np.mean(noise) == pytest.approx(1, abs=0.05)
+    assert np.mean(noise) == pytest.approx(1.01, abs=0.08)
 
 
 def test_fireflies_are_not_chosen() -> None:
