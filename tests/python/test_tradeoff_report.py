@@ -187,6 +187,10 @@ def test_choices_in_words(found: TradeoffResult) -> None:
     assert told.startswith("Paths from the lamps, joined to the camera. The default takes 2.")
     assert told.endswith(" times as long for the same error.")
     assert headline(found).startswith("Best here is light: ")
+    last = dataclasses.replace(found.choices[-1], best="bdpt")
+    told = headline(dataclasses.replace(found, choices=(last,)))
+    assert told.startswith("Best here is the default, bdpt: ")
+    assert told.endswith(" after 10 min")
     stopped = dataclasses.replace(found, interrupted=True, not_run=("bdpt-balance",))
     assert headline(stopped).endswith("; interrupted after 6 rounds, 1 candidate not measured")
 

@@ -16,7 +16,12 @@ from etendue.progress import step_progress
 from etendue.report_folder import check_report
 from etendue.tradeoff.candidates import candidate_names
 from etendue.tradeoff.report import summary_table, write_report
-from etendue.tradeoff.report.words import cannot_be_concluded, seconds_text, verdict_sentence
+from etendue.tradeoff.report.words import (
+    cannot_be_concluded,
+    headline,
+    seconds_text,
+    verdict_sentence,
+)
 from etendue.tradeoff.results import TradeoffResult
 from etendue.tradeoff.runner import TIME, WIDTH, tradeoff
 
@@ -84,6 +89,7 @@ def _tell(result: TradeoffResult) -> None:
     """The outcome in plain words."""
     console = Console(highlight=False)
     console.print(summary_table(result))
+    console.print(headline(result), markup=False, soft_wrap=True)
     for found in result.candidates:
         if found.verdict != "converges":
             line = f"{found.name}: {verdict_sentence(found)}"

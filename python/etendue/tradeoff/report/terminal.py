@@ -5,14 +5,14 @@ from __future__ import annotations
 from rich.table import Table
 from rich.text import Text
 
-from etendue.tradeoff.report.words import error_percent, headline
+from etendue.tradeoff.report.words import error_percent
 from etendue.tradeoff.results import TradeoffResult
 
 _STYLES = {"converges": "green", "floor": "bold red", "unknown": "yellow"}
 
 
 def summary_table(result: TradeoffResult) -> Table:
-    table = Table(caption=Text(headline(result)))
+    table = Table()
     table.add_column("candidate", style="bold", no_wrap=True)
     for name in ("error", "slope", "efficiency"):
         table.add_column(name, justify="right", no_wrap=True)

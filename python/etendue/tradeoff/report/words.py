@@ -150,7 +150,7 @@ def _best(result: TradeoffResult) -> str:
     choice = longest_choice(result)
     if choice is None:
         return "Nothing finishes a picture in the times looked at"
-    name = f"the default, {DEFAULT}," if choice.best == DEFAULT else choice.best
+    name = f"the default, {DEFAULT}" if choice.best == DEFAULT else choice.best
     error = error_percent(choice.rel_mse.value)
     return f"Best here is {name}: {error} of error after {seconds_text(choice.seconds)}"
 
