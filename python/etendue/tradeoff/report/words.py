@@ -94,17 +94,19 @@ def choice_sentence(result: TradeoffResult, choice: Choice) -> str:
         parts.append("This is the default.")
     elif DEFAULT in choice.as_good:
         parts.append("The default is as good, as far as can be told.")
-    elif told := default_sentence(result, choice):
-        parts.append(told)
+    elif longer := default_sentence(result, choice):
+        parts.append(longer)
     if best.verdict == "floor":
         left = error_percent(best.floor.value)
         parts.append(f"Of the error, {left} would stay for ever; noise is still more than that.")
-    if sooner := _doubted(result, choice):
+    sooner = _doubted(result, choice)
+    if sooner is not None:
         parts.append(
             f"{sooner.name} has less noise, but is known to be right only down to an error of "
             f"{error_percent(sooner.hidden_floor)}."
         )
-    others = [name for name in choice.as_good if name != DEFAULT]
+    told = (DEFAULT, sooner.name if sooner is not None else "")
+    others = [name for name in choice.as_good if name not in told]
     if others:
         parts.append(f"As good, as far as can be told: {', '.join(others)}.")
     return " ".join(parts)
