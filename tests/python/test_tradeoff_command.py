@@ -61,7 +61,7 @@ def only(*names: str) -> list[str]:
 def test_a_real_stage(stage: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """With our own renders: path and bdpt agree."""
     out = tmp_path / "new" / "report"
-    arguments = ["tradeoff", stage, "--resolution", "32x32", "--time", "1", "--seed", "5"]
+    arguments = ["tradeoff", stage, "--resolution", "32x32", "--time", "0.6", "--seed", "5"]
     assert cli.run([*arguments, *only(*NAMES), "--out", str(out)]) == 0
     captured = capsys.readouterr()
     assert captured.err.splitlines() == [

@@ -33,7 +33,7 @@ from support.browser import WIDTHS, Visit, check_page
 from support.json_schema import strict, undescribed
 from support.made_up_renders import made_up_result
 
-NAMES = ("path", "light", "bdpt", "bdpt-no-light-image", "bdpt-depth-4", "bdpt-no-roulette")
+NAMES = ("path", "light", "bdpt", "bdpt-no-light-image", "bdpt-depth-4")
 
 
 @pytest.fixture(scope="module")
