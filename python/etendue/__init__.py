@@ -17,6 +17,7 @@ from etendue.exceptions import (
     Interrupted,
     SceneError,
     SettingsError,
+    TradeoffInterrupted,
     ValidationInterrupted,
 )
 from etendue.image import Image
@@ -25,6 +26,7 @@ from etendue.session import Session
 from etendue.settings import RenderOptions
 from etendue.stage import Stage
 from etendue.stage import open_stage as open  # noqa: A004 - reads etendue.open(...)
+from etendue.tradeoff import TradeoffResult, tradeoff
 from etendue.usd_reader import StageWarning
 from etendue.validation import ValidationResult, validate
 
@@ -45,10 +47,13 @@ __all__ = [
     "SettingsError",
     "Stage",
     "StageWarning",
+    "TradeoffInterrupted",
+    "TradeoffResult",
     "ValidationInterrupted",
     "ValidationResult",
     "__version__",
     "compare",
     "open",
+    "tradeoff",
     "validate",
 ]

@@ -1,14 +1,12 @@
-"""The command line: etendue render, inspect, compare, validate."""
+"""The command line: etendue render, inspect, compare, validate, tradeoff."""
 
 from __future__ import annotations
 
 import json
 import os
-import re
 import sys
-import warnings
 from math import isfinite
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 import typer
@@ -16,6 +14,7 @@ from rich.console import Console
 
 import etendue
 from etendue import _core
+from etendue.arguments import FrameOption, StageArgument, numbers, open_named
 from etendue.comparison import write_page
 from etendue.comparison.causes import INDICES
 from etendue.comparison.figures import comparison_table
@@ -25,6 +24,7 @@ from etendue.inspection_table import inspection_table
 from etendue.presets import PRESETS
 from etendue.progress import duration, error_text, progress_display
 from etendue.settings import AOVS, DEFAULT_SAMPLES, FILTERS, INTEGRATORS, RenderOptions
+from etendue.tradeoff.command import tradeoff_command
 from etendue.validation.command import validate_command
 
 CORE_DEFAULTS = _core.RenderSettings()
@@ -36,12 +36,6 @@ app = typer.Typer(
     no_args_is_help=True,
     pretty_exceptions_enable=False,
 )
-
-
-StageArgument = Annotated[str, typer.Argument(metavar="STAGE", help="A USD file.")]
-FrameOption = Annotated[
-    float | None, typer.Option("--frame", help="Time code to read; default: the stage's start.")
-]
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -192,8 +186,8 @@ def render(
             raise typer.BadParameter(f"'{output}': --strategy-images are layers of an .exr")
         _check_display(output, ocio, display, view, bits)
     options = RenderOptions(
-        resolution=_numbers("resolution", resolution, "x", 2),
-        crop=_numbers("crop", crop, ",", 4),
+        resolution=numbers("resolution", resolution, "x", 2),
+        crop=numbers("crop", crop, ",", 4),
         preset=preset,
         spp=spp,
         time=time,
@@ -207,7 +201,7 @@ def render(
         aovs=["alpha", *(aov or [])],
         strategy_images=strategy_images,
     )
-    scene = _open(stage, frame)
+    scene = open_named(stage, frame)
     console = Console(file=sys.stderr, highlight=False)
     interrupted = False
     try:
@@ -240,7 +234,7 @@ def inspect(
     as_json: Annotated[bool, typer.Option("--json", help="For programs.")] = False,
 ) -> None:
     """Tell what a stage holds and what a render of it needs."""
-    inspection = _open(stage, frame, quiet=True).inspect()
+    inspection = open_named(stage, frame, quiet=True).inspect()
     if as_json:
         print(json.dumps(inspection.to_dict(), indent=2))
     else:
@@ -298,16 +292,7 @@ def compare(
 
 
 app.command("validate")(validate_command)
-
-
-def _open(stage: str, frame: float | None, *, quiet: bool = False) -> etendue.Stage:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", etendue.EtendueWarning)
-        opened = etendue.open(stage, frame=frame)
-    if not quiet:
-        for warning in opened.warnings:
-            _say(f"etendue: warning: {warning}")
-    return opened
+app.command("tradeoff")(tradeoff_command)
 
 
 def _render(
@@ -331,17 +316,6 @@ def _check_display(output: str, ocio: str, display: str, view: str, bits: int) -
     if bits == 16 and output.lower().endswith((".jpg", ".jpeg")):
         raise typer.BadParameter(f"'{output}': jpeg holds 8 bits only")
     _core.ColorConfig(ocio).apply(np.zeros((1, 3), np.float32), display, view)
-
-
-def _numbers(option: str, text: str | None, separator: str, count: int) -> Any:
-    """'640x480' to (640, 480); None for None."""
-    if text is None:
-        return None
-    parts = re.split(separator, text.strip().lower())
-    if len(parts) != count or not all(re.fullmatch(r"\s*-?\d+\s*", part) for part in parts):
-        form = "WIDTHxHEIGHT" if count == 2 else "X0,Y0,X1,Y1"
-        raise typer.BadParameter(f"--{option} wants {form}, not '{text}'")
-    return tuple(int(part) for part in parts)
 
 
 def _say(line: str) -> None:

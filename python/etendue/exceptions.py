@@ -8,6 +8,7 @@ from etendue._core import Error, FileError, SceneError, SettingsError
 
 if TYPE_CHECKING:
     from etendue.image import Image
+    from etendue.tradeoff.results import TradeoffResult
     from etendue.validation.results import ValidationResult
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "Interrupted",
     "SceneError",
     "SettingsError",
+    "TradeoffInterrupted",
     "ValidationInterrupted",
 ]
 
@@ -43,4 +45,12 @@ class ValidationInterrupted(KeyboardInterrupt):
 
     def __init__(self, result: ValidationResult) -> None:
         super().__init__("the validation was interrupted")
+        self.result = result
+
+
+class TradeoffInterrupted(KeyboardInterrupt):
+    """Ctrl-C during etendue.tradeoff(). `result` holds what had been rendered by then."""
+
+    def __init__(self, result: TradeoffResult) -> None:
+        super().__init__("the measurement was interrupted")
         self.result = result

@@ -1,19 +1,26 @@
-"""Progress of a render on the terminal: a bar, or plain lines where there is none."""
+"""Progress on the terminal, of a render or of several steps: a bar, or plain lines where there is
+none."""
 
 from __future__ import annotations
 
+import sys
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from math import isfinite
 from types import TracebackType
 from typing import Protocol
 
 from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from etendue import _core
 
 # Seconds between lines when the output is no terminal.
 _LINE_INTERVAL = 5.0
+
+StepProgress = Callable[[str, int, int], object]
+"""(step about to be made, how many have been made, how many there are)"""
 
 
 class ProgressDisplay(Protocol):
@@ -63,6 +70,27 @@ def duration(seconds: float) -> str:
     minutes, rest = divmod(round(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
+
+
+@contextmanager
+def step_progress(doing: str) -> Iterator[StepProgress]:
+    """On stderr: a bar on a terminal, a line per step elsewhere."""
+    console = Console(file=sys.stderr, highlight=False)
+    if not console.is_terminal:
+        yield lambda name, done, total: console.print(f"{doing} {done + 1}/{total}: {name}")
+        return
+    with Progress(
+        TextColumn(doing),
+        BarColumn(),
+        TextColumn("{task.description}"),
+        TimeElapsedColumn(),
+        console=console,
+        transient=True,
+    ) as bar:
+        task = bar.add_task("", total=None)
+        yield lambda name, done, total: bar.update(
+            task, completed=done, total=total, description=name
+        )
 
 
 class _Bar:

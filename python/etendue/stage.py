@@ -48,6 +48,17 @@ class Stage:
         """The scene as the core gets it. Its lists are copies."""
         return self._contents.scene
 
+    def view(
+        self, camera: str | None = None, resolution: tuple[int, int] | None = None
+    ) -> tuple[str, tuple[int, int]]:
+        """The camera's prim path and (width, height) that render() makes of the same arguments.
+
+        Raises SceneError when there is no camera, SettingsError when there is not that one, and for
+        a resolution that is none.
+        """
+        settings = render_settings(self._contents, camera, {"resolution": resolution})
+        return self.cameras[settings.camera], (settings.width, settings.height)
+
     def inspect(self) -> Inspection:
         """What the stage holds and what a render of it needs."""
         return inspect_contents(self._contents)

@@ -10,7 +10,6 @@ import json
 import math
 import re
 from pathlib import Path
-from typing import Any
 
 import jsonschema
 import numpy as np
@@ -21,17 +20,18 @@ from rich.console import Console
 
 import etendue
 from etendue.html import common_exposure, ratio_map_url
+from etendue.numbers import probability, short
 from etendue.validation.report import summary_table, write_report
 from etendue.validation.report.csv_file import COLUMNS, as_csv
 from etendue.validation.report.intervals import marks
 from etendue.validation.report.json_file import SCHEMA, as_json
-from etendue.validation.report.numbers import probability, short
 from etendue.validation.report.page import as_html
 from etendue.validation.report.plots import plot_url
 from etendue.validation.report.pyramids import levels
 from etendue.validation.report.verdicts import case_verdict, verdict
 from etendue.validation.results import Check, Estimate, ValidationResult
 from support.browser import WIDTHS, Visit, check_page
+from support.json_schema import strict, undescribed
 from support.validation_results import WATER, case, check, pair, plot, pyramid, result
 
 FAILS = result(case(), case("pool", measured=WATER**2))
@@ -260,14 +260,6 @@ def test_probabilities(p: float, told: str) -> None:
 # ------------------------------------------------------------------------------------ JSON and CSV
 
 
-def strict(schema: Any) -> Any:
-    """What the schema does not describe is not allowed."""
-    if isinstance(schema, dict):
-        closed = {name: strict(part) for name, part in schema.items()}
-        return closed | {"additionalProperties": False} if "required" in schema else closed
-    return [strict(part) for part in schema] if isinstance(schema, list) else schema
-
-
 @pytest.mark.parametrize("found", [HOLDS, FAILS, hidden_by_noise(FAILS)])
 def test_json_keeps_to_its_schema(found: ValidationResult) -> None:
     schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
@@ -278,20 +270,7 @@ def test_json_keeps_to_its_schema(found: ValidationResult) -> None:
 
 
 def test_schema_describes_everything() -> None:
-    def undescribed(part: Any, place: str) -> list[str]:
-        if not isinstance(part, dict):
-            return []
-        inner = [
-            *(
-                (f"{place}.{name}", value)
-                for group in ("properties", "$defs")
-                for name, value in part.get(group, {}).items()
-            ),
-        ]
-        here = [name for name, value in inner if not ("description" in value or "$ref" in value)]
-        return here + [missing for name, value in inner for missing in undescribed(value, name)]
-
-    assert undescribed(json.loads(SCHEMA.read_text(encoding="utf-8")), "") == []
+    assert undescribed(json.loads(SCHEMA.read_text(encoding="utf-8"))) == []
 
 
 def test_json_holds_the_figures() -> None:

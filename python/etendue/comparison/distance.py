@@ -59,9 +59,16 @@ def relative_squared_error(
     """
     right = reference.astype(np.float64)
     squared = ((images - right) ** 2).mean(axis=-1)
-    darkest = _core.DARKEST_PART * (right.mean() if mean is None else mean)
-    relative: FloatArray = squared / (right.mean(axis=-1) ** 2 + darkest**2)
+    relative: FloatArray = squared / squared_brightness(
+        right.mean(axis=-1), float(right.mean()) if mean is None else mean
+    )
     return relative
+
+
+def squared_brightness(grey: FloatArray, mean: float) -> FloatArray:
+    """What squared errors are relative to, of a reference's means over channels and over all."""
+    squared: FloatArray = grey**2 + (_core.DARKEST_PART * mean) ** 2
+    return squared
 
 
 def flip_error(image: Pixels, reference: Pixels) -> float:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import asdict
-from math import isfinite
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from etendue.comparison.causes import Cause, fitting_causes, likely_cause
+from etendue.json_text import finite
 
 if TYPE_CHECKING:
     from etendue.arrays import Pixels
@@ -62,9 +62,9 @@ def _picture(picture: Picture) -> dict[str, object]:
 def _ratio(ratio: Ratio, indices: tuple[float, ...]) -> dict[str, object]:
     likely = likely_cause(ratio, indices)
     return {
-        "value": _finite(ratio.value),
-        "low": _finite(ratio.low),
-        "high": _finite(ratio.high),
+        "value": finite(ratio.value),
+        "low": finite(ratio.low),
+        "high": finite(ratio.high),
         "level": ratio.level,
         "pixels": ratio.pixels,
         "method": ratio.method,
@@ -75,7 +75,3 @@ def _ratio(ratio: Ratio, indices: tuple[float, ...]) -> dict[str, object]:
 
 def _cause(cause: Cause) -> dict[str, object]:
     return {**asdict(cause), "factor": cause.factor, "text": str(cause)}
-
-
-def _finite(value: float) -> float | None:
-    return value if isfinite(value) else None

@@ -4,22 +4,19 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
 import typer
 from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from etendue.exceptions import ValidationInterrupted
 from etendue.exit_status import DIFFERENT, INTERRUPTED
-from etendue.progress import duration
+from etendue.progress import duration, step_progress
+from etendue.report_folder import check_report
 from etendue.validation.report import summary_table, write_report
-from etendue.validation.report.files import check_report
 from etendue.validation.report.verdicts import verdict
 from etendue.validation.results import Check, ValidationResult
-from etendue.validation.runner import Progress as Report
 from etendue.validation.runner import case_names, validate
 
 
@@ -45,7 +42,7 @@ def validate_command(
     if out is not None:
         check_report(out)
     status = None
-    with _progress() as progress:
+    with step_progress("validating") as progress:
         try:
             result = validate(
                 case, effort="full" if full else "quick", seed=seed, progress=progress
@@ -81,24 +78,3 @@ def _failure(check: Check) -> str:
         f"({measured.low:.4g} to {measured.high:.4g}), predicted {check.predicted:.4g}"
     )
     return f"{told}; {' or '.join(check.explanations)}" if check.explanations else told
-
-
-@contextmanager
-def _progress() -> Iterator[Report]:
-    """A bar on a terminal, a line per case elsewhere."""
-    console = Console(file=sys.stderr, highlight=False)
-    if not console.is_terminal:
-        yield lambda name, done, total: console.print(f"validating {done + 1}/{total}: {name}")
-        return
-    with Progress(
-        TextColumn("validating"),
-        BarColumn(),
-        TextColumn("{task.description}"),
-        TimeElapsedColumn(),
-        console=console,
-        transient=True,
-    ) as bar:
-        task = bar.add_task("", total=None)
-        yield lambda name, done, total: bar.update(
-            task, completed=done, total=total, description=name
-        )

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from etendue.exceptions import SettingsError, ValidationInterrupted
 from etendue.extras import extra
+from etendue.progress import StepProgress
 from etendue.validation.case import Case
 from etendue.validation.cases import CASES
 from etendue.validation.claims import FALSE_ALARM, Claim
@@ -18,16 +19,13 @@ from etendue.validation.results import CaseResult, ValidationResult
 from etendue.validation.shots import Renderer, Studio, render
 from etendue.validation.statistics import LEVEL, at_least_one
 
-Progress = Callable[[str, int, int], object]
-"""(case about to run, how many have run, how many there are)"""
-
 
 def validate(
     cases: Iterable[str] | None = None,
     *,
     effort: str = "quick",
     seed: int = 1,
-    progress: Progress | None = None,
+    progress: StepProgress | None = None,
     renderer: Renderer = render,
 ) -> ValidationResult:
     """Renders the validation cases with and without the adjoint corrections (theory.md §5-§7).

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterable, Mapping
-from math import isfinite
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from etendue.arrays import FloatArray
+from etendue.json_text import all_finite, finite, json_text
 from etendue.validation.results import (
     CaseResult,
     Check,
@@ -28,7 +27,7 @@ SCHEMA = Path(__file__).with_name("results.schema.json")
 
 
 def as_json(result: ValidationResult) -> str:
-    return json.dumps(_document(result), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    return json_text(_document(result))
 
 
 def _document(result: ValidationResult) -> dict[str, Any]:
@@ -75,19 +74,19 @@ def _check(check: Check) -> dict[str, Any]:
         "integrator": check.integrator,
         "corrections_off": list(check.corrections_off),
         "formula": check.formula,
-        "predicted": _number(check.predicted),
-        "measured": _estimate(check.measured),
-        "p_value": _number(check.p_value),
+        "predicted": finite(check.predicted),
+        "measured": estimate_document(check.measured),
+        "p_value": finite(check.p_value),
         "passed": bool(check.passed),
         "explanations": list(check.explanations),
     }
 
 
-def _estimate(estimate: Estimate) -> dict[str, Any]:
+def estimate_document(estimate: Estimate) -> dict[str, Any]:
     return {
-        "value": _number(estimate.value),
-        "low": _number(estimate.low),
-        "high": _number(estimate.high),
+        "value": finite(estimate.value),
+        "low": finite(estimate.low),
+        "high": finite(estimate.high),
         "level": float(estimate.level),
     }
 
@@ -117,10 +116,10 @@ def _plot(plot: Plot) -> dict[str, Any]:
 def _series(series: Series) -> dict[str, Any]:
     return {
         "label": series.label,
-        "x": _numbers(series.x),
-        "y": _numbers(series.y),
-        "low": _numbers(series.low),
-        "high": _numbers(series.high),
+        "x": all_finite(series.x),
+        "y": all_finite(series.y),
+        "low": all_finite(series.low),
+        "high": all_finite(series.high),
     }
 
 
@@ -140,22 +139,13 @@ def _means(images: Mapping[Strategy, FloatArray]) -> list[dict[str, Any]]:
 
 
 def _mean(picture: FloatArray) -> list[float | None]:
-    return _numbers(picture.mean(axis=(0, 1)))
+    return all_finite(picture.mean(axis=(0, 1)))
 
 
 def _cost(cost: Cost) -> dict[str, Any]:
     return {
         "stage": cost.stage,
         "integrator": cost.integrator,
-        "ratio": _estimate(cost.ratio),
+        "ratio": estimate_document(cost.ratio),
         "pairs": int(cost.pairs),
     }
-
-
-def _numbers(values: Iterable[float]) -> list[float | None]:
-    return [_number(value) for value in values]
-
-
-def _number(value: float) -> float | None:
-    """JSON knows no infinity and no NaN: what noise hides is null."""
-    return float(value) if isfinite(value) else None

@@ -6,11 +6,12 @@ from pathlib import Path
 from typing import Any
 
 from etendue.html import common_exposure, legend, picture_url, ratio_map_url, rendered
+from etendue.html.drawing import FONT_SIZE
 from etendue.interval import interval_text
+from etendue.numbers import counted, percent, probability, short
 from etendue.progress import duration
 from etendue.validation.report.intervals import marks
-from etendue.validation.report.numbers import counted, percent, probability, short
-from etendue.validation.report.plots import FONT_SIZE, plot_url
+from etendue.validation.report.plots import plot_url
 from etendue.validation.report.pyramids import BRIGHTER, levels
 from etendue.validation.report.verdicts import case_verdict, held, verdict
 from etendue.validation.results import Figure, PicturePair, Plot, ValidationResult

@@ -2,66 +2,17 @@
 
 from __future__ import annotations
 
-import io
 from typing import Any
 
 import numpy as np
 
 from etendue.extras import extra
-from etendue.html.pictures import data_url
+from etendue.html.drawing import COLORS, DASHES, MARKERS, drawing_url
 from etendue.validation.results import Plot, Series
-
-#: CSS pixels: a phone's width, so that no label is drawn smaller than it is written.
-WIDTH, HEIGHT = 366, 300
-#: CSS pixels, of all that is written in a drawing.
-FONT_SIZE = 12.5
-#: Points per CSS pixel.
-_POINT = 0.75
-
-#: Okabe and Ito, "Color Universal Design" (2008): told apart by all kinds of colour vision. Without
-#: the yellow, too light for a line on white.
-COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
-#: So that a print without colours tells them apart, too.
-_MARKERS = ("o", "s", "^", "D", "v", "P", "X")
-_DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (7, 2, 1.5, 2)))
-
-_STYLE = {
-    "svg.fonttype": "none",
-    "svg.hashsalt": "etendue",
-    "font.family": "sans-serif",
-    "font.size": FONT_SIZE * _POINT,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.edgecolor": "#5a636e",
-    "axes.linewidth": 0.8,
-    "axes.labelsize": "medium",
-    "xtick.labelsize": "medium",
-    "ytick.labelsize": "medium",
-    "legend.fontsize": "medium",
-    "axes.labelcolor": "#1b1f24",
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "grid.color": "#e3e7eb",
-    "grid.linewidth": 0.7,
-    "xtick.color": "#5a636e",
-    "ytick.color": "#5a636e",
-    "xtick.labelcolor": "#1b1f24",
-    "ytick.labelcolor": "#1b1f24",
-    "legend.frameon": False,
-    "lines.linewidth": 1.6,
-    "lines.markersize": 5,
-}
 
 
 def plot_url(plot: Plot) -> str:
-    with extra("matplotlib").rc_context(_STYLE):
-        figure = extra("matplotlib.figure").Figure(
-            figsize=(WIDTH * _POINT / 72, HEIGHT * _POINT / 72), layout="constrained"
-        )
-        _draw(figure, plot)
-        buffer = io.BytesIO()
-        figure.savefig(buffer, format="svg", metadata={"Date": None})
-    return data_url("image/svg+xml", buffer.getvalue())
+    return drawing_url(lambda figure: _draw(figure, plot))
 
 
 def _draw(figure: Any, plot: Plot) -> None:
@@ -101,7 +52,7 @@ def _curve(axes: Any, series: Series, index: int) -> Any:
         series.x,
         series.y,
         color=COLORS[index % len(COLORS)],
-        linestyle=_DASHES[index % len(_DASHES)],
+        linestyle=DASHES[index % len(DASHES)],
         # A single prediction has no line.
         marker="_" if len(series.x) == 1 else "",
         markersize=16,
@@ -118,7 +69,7 @@ def _points(axes: Any, series: Series, index: int) -> Any:
         series.x,
         y,
         yerr=arms,
-        fmt=_MARKERS[index % len(_MARKERS)],
+        fmt=MARKERS[index % len(MARKERS)],
         color=COLORS[index % len(COLORS)],
         markeredgecolor="white",
         markeredgewidth=0.6,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from etendue.validation.report.numbers import counted, probability
+from etendue.numbers import counted, probability
 from etendue.validation.results import CaseResult, Check, ValidationResult
 
 

@@ -1,0 +1,88 @@
+"""Who is best at which time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from math import ceil, log10
+
+import numpy as np
+
+from etendue.tradeoff.results import CandidateResult, Choice, Span, is_known
+from etendue.validation.results import Estimate
+
+#: Seconds, at the resolution measured.
+BUDGETS = (0.3, 1.0, 3.0, 10.0, 60.0, 600.0)
+
+#: Times that the front is looked at: so many in a factor of ten.
+_STEPS = 20
+
+
+def front(candidates: Sequence[CandidateResult]) -> tuple[Span, ...]:
+    """Who is best from when to when (Pareto: nobody is faster and better at once).
+
+    From the first complete pass of anybody to the longest of BUDGETS.
+    """
+    begin = min(found.pass_seconds for found in candidates)
+    decades = max(0.0, log10(BUDGETS[-1] / begin))
+    spans: list[Span] = []
+    for seconds in np.geomspace(begin, BUDGETS[-1], 2 + ceil(_STEPS * decades)):
+        # Rounding must not take the first one's only pass away.
+        choice = choose(candidates, float(seconds) * (1 + 1e-9))
+        assert choice is not None  # the fastest is ready from the start
+        if spans and spans[-1].best == choice.best:
+            spans[-1] = replace(spans[-1], end=choice.seconds)
+        else:
+            start = spans[-1].end if spans else choice.seconds
+            spans.append(Span(choice.best, start, choice.seconds))
+    return tuple(spans)
+
+
+def expected(found: CandidateResult, seconds: float) -> Estimate:
+    """relMSE after so long, by the candidate's curve.
+
+    Of a candidate that need not find all light, beyond the times it was rendered for, the worst is
+    expected: a floor as high as it can be without having been seen.
+    """
+    noise, floor = found.curve.noise, found.floor
+    low, value, high = 0.0, found.curve.floor, 0.0
+    if found.verdict == "floor":
+        low, high = max(floor.low, 0.0), floor.high
+    elif not found.candidate.complete and seconds > found.pooled.seconds:
+        value = high = found.hidden_floor
+    return Estimate(
+        noise.value / seconds + value,
+        noise.low / seconds + low,
+        noise.high / seconds + high,
+        noise.level,
+    )
+
+
+def choose(candidates: Sequence[CandidateResult], seconds: float) -> Choice | None:
+    """Among those that finish a pass in that time; None when nobody does.
+
+    What rests on a few pixels may be far worse than it seems, and is not chosen if there is
+    anything else.
+    """
+    ready = [found for found in candidates if found.pass_seconds <= seconds]
+    if not ready:
+        return None
+    sure = [found for found in ready if not found.fireflies] or ready
+    ranked = sorted(sure, key=lambda found: expected(found, seconds).value)
+    best, others = ranked[0], ranked[1:]
+    error = expected(best, seconds)
+    as_good = tuple(
+        found.name for found in others if not is_known(error) or _reaches(found, seconds, error)
+    )
+    return Choice(seconds, best.name, error, as_good, seconds > best.pooled.seconds)
+
+
+def choices(candidates: Sequence[CandidateResult]) -> tuple[Choice, ...]:
+    """For all BUDGETS that allow a choice."""
+    found = (choose(candidates, seconds) for seconds in BUDGETS)
+    return tuple(choice for choice in found if choice is not None)
+
+
+def _reaches(found: CandidateResult, seconds: float, best: Estimate) -> bool:
+    """Its interval has values that the best one's has, too."""
+    return expected(found, seconds).low <= best.high
