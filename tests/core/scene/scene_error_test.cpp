@@ -44,6 +44,12 @@ void set_face_material(SceneDescription& scene, int material) {
     scene.geometries[0] = mesh;
 }
 
+void move_first_point(SceneDescription& scene, float y) {
+    MeshDesc mesh = std::get<MeshDesc>(*scene.geometries[0]);
+    mesh.points[0][1] = y;
+    scene.geometries[0] = mesh;
+}
+
 struct BadScene {
     std::function<void(SceneDescription&)> spoil;
     const char* prim;
@@ -154,7 +160,7 @@ TEST(SceneError, NamesThePrimThatIsTooFarAway) {
     expect_complaints({
         {[](auto& s) { s.shapes[0].parent_from_object.m[3] = 2e18; }, "/shape_0", "too far away"},
         {[](auto& s) { s.geometries[0] = SphereDesc{2e18}; }, "/shape_0", "too far away"},
-        {[](auto& s) { std::get<MeshDesc>(s.geometries[0]).points[0][1] = 2e18F; }, "/shape_0", "too far away"},
+        {[](auto& s) { move_first_point(s, 2e18F); }, "/shape_0", "too far away"},
         {[](auto& s) { s.instances[0].world_from_group.m[3] = 2e18; }, "/instance", "too far away"},
         {[](auto& s) { s.instances[0].world_from_group.m[0] = 1e-19; }, "/instance", "too small"},
         {[](auto& s) {
