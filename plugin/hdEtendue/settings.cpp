@@ -24,6 +24,8 @@ struct Setting {
 constexpr Setting kIntegrator{"etendue:integrator", "Integrator (bdpt, path, light)", "HDETENDUE_INTEGRATOR"};
 constexpr Setting kSamples{"etendue:samplesPerPixel", "Samples per pixel", "HDETENDUE_SAMPLES_PER_PIXEL"};
 constexpr Setting kTimeLimit{"etendue:timeLimit", "Time limit (seconds, 0: none)", "HDETENDUE_TIME_LIMIT"};
+constexpr Setting kErrorTarget{"etendue:errorTarget", "Relative error that is good enough (0: none)",
+                               "HDETENDUE_ERROR_TARGET"};
 constexpr Setting kMaxDepth{"etendue:maxDepth", "Maximum bounces", "HDETENDUE_MAX_DEPTH"};
 constexpr Setting kSeed{"etendue:seed", "Seed", "HDETENDUE_SEED"};
 constexpr Setting kThreads{"etendue:threads", "Threads (0: all)", "HDETENDUE_THREADS"};
@@ -53,6 +55,10 @@ HdRenderSettingDescriptor flag(const Setting& setting, bool fallback) {
 
 HdRenderSettingDescriptor whole(const Setting& setting, int fallback) {
     return describe(setting, VtValue(TfGetenvInt(setting.variable, fallback)));
+}
+
+HdRenderSettingDescriptor real(const Setting& setting, double fallback) {
+    return describe(setting, VtValue(static_cast<float>(TfGetenvDouble(setting.variable, fallback))));
 }
 
 /// The host's value as a number, or the fallback after a warning.
@@ -97,7 +103,8 @@ HdRenderSettingDescriptorList setting_descriptors() {
     const RenderSettings defaults;
     return {describe(kIntegrator, VtValue(TfGetenv(kIntegrator.variable, "bdpt"))),
             whole(kSamples, defaults.samples_per_pixel),
-            describe(kTimeLimit, VtValue(static_cast<float>(TfGetenvDouble(kTimeLimit.variable, 0)))),
+            real(kTimeLimit, defaults.time_limit),
+            real(kErrorTarget, defaults.error_target),
             whole(kMaxDepth, defaults.max_depth),
             whole(kSeed, 0),
             whole(kThreads, defaults.threads),
@@ -116,6 +123,7 @@ RenderSettings render_settings(const HdRenderDelegate& delegate) {
     settings.integrator = integrator(delegate, settings.integrator);
     settings.samples_per_pixel = samples_per_pixel(delegate, settings.samples_per_pixel);
     settings.time_limit = number(delegate, kTimeLimit, settings.time_limit);
+    settings.error_target = number(delegate, kErrorTarget, settings.error_target);
     settings.max_depth = whole_number(delegate, kMaxDepth, settings.max_depth);
     settings.seed = whole_number(delegate, kSeed, settings.seed);
     settings.threads = whole_number(delegate, kThreads, settings.threads);

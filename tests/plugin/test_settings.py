@@ -34,6 +34,24 @@ def test_the_active_render_settings_are_heeded(
 
 
 @ENVIRONMENTS
+def test_an_error_target_ends_a_render(
+    host: HydraHost, tmp_path: Path, environment: dict[str, str]
+) -> None:
+    studio = Studio()
+    studio.box("/Box")
+    settings = studio.render_settings().GetPrim()
+    # Looked at for the first time after 16 passes, and met by then.
+    for name, kind, value in (
+        ("samplesPerPixel", Types.Int, 40),
+        ("errorTarget", Types.Float, 10.0),
+    ):
+        settings.CreateAttribute(f"etendue:{name}", kind).Set(value)
+    file = exported(studio, tmp_path)
+    ours, _ = recorded(host, file, environment)
+    assert_same_picture(ours, reference(file, ours, spp=16))
+
+
+@ENVIRONMENTS
 def test_other_render_settings_are_not(
     host: HydraHost, tmp_path: Path, environment: dict[str, str]
 ) -> None:

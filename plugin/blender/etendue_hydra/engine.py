@@ -57,6 +57,7 @@ class EtendueRenderEngine(bpy.types.HydraRenderEngine):
             if in_viewport
             else settings.samples,
             "etendue:timeLimit": 0.0 if in_viewport else settings.time_limit,
+            "etendue:errorTarget": 0.0 if in_viewport else settings.error_target,
             "etendue:maxDepth": settings.max_depth,
             "etendue:seed": settings.seed,
             "etendue:threads": scene.render.threads if scene.render.threads_mode == "FIXED" else 0,

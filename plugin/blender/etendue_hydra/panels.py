@@ -44,7 +44,7 @@ class RENDER_PT_etendue_sampling(_Panel):  # noqa: N801 - Blender's rule for nam
         layout.use_property_split = True
         layout.use_property_decorate = False
         settings = context.scene.etendue
-        for name in ("samples", "viewport_samples", "time_limit", "seed"):
+        for name in ("samples", "viewport_samples", "time_limit", "error_target", "seed"):
             layout.prop(settings, name)
 
 

@@ -35,6 +35,13 @@ class EtendueSettings(bpy.types.PropertyGroup):
         subtype="TIME_ABSOLUTE",
         unit="TIME_ABSOLUTE",
     )
+    error_target: FloatProperty(  # type: ignore[valid-type]
+        name="Error Target",
+        description="Ends a final render when its relative error is this small; 0: never",
+        default=0.0,
+        min=0.0,
+        precision=3,
+    )
     max_depth: IntProperty(  # type: ignore[valid-type]
         name="Max Bounces", description="0 shows emission only", default=16, min=0
     )
