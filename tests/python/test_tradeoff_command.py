@@ -44,6 +44,12 @@ def use(monkeypatch: pytest.MonkeyPatch, renderer: MakeRenderer) -> None:
     monkeypatch.setattr(command, "tradeoff", functools.partial(tradeoff, renderer=renderer))
 
 
+@pytest.fixture(autouse=True)
+def _work_elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where reports without a place of their own may go."""
+    monkeypatch.chdir(tmp_path)
+
+
 def refused(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
     """The one line of it, and that nothing was rendered before."""
     assert cli.run(["tradeoff", *arguments]) in (1, 2)
@@ -90,17 +96,19 @@ def test_a_real_stage(stage: str, tmp_path: Path, capsys: pytest.CaptureFixture[
 def test_a_reference_file(
     stage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """It sets the size; without a variance nobody is said to converge."""
+    """It sets the size; without a variance nobody is said to converge.
+
+    The report is named by the stage.
+    """
     measure_with(monkeypatch)
     file = tmp_path / "right.exr"
     etendue.open(stage).render(resolution=(32, 24), spp=1).save(file)
-    out = tmp_path / "report"
-    arguments = ["tradeoff", stage, "--reference", str(file), "--out", str(out)]
+    arguments = ["tradeoff", stage, "--reference", str(file)]
     assert cli.run([*arguments, *only("light")]) == 0
     captured = capsys.readouterr()
     assert captured.err.splitlines()[0] == "measuring 1/7: trials"
     assert "does not say how noisy it is" in captured.out
-    document = json.loads((out / "results.json").read_text(encoding="utf-8"))
+    document = json.loads((tmp_path / "quad-tradeoff" / "results.json").read_text(encoding="utf-8"))
     assert document["resolution"] == [32, 24]
     assert document["reference"]["rel_mse"] is None
     assert document["candidates"][0]["verdict"] == "unknown"

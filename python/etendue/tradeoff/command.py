@@ -30,7 +30,10 @@ def tradeoff_command(
     stage: StageArgument,
     out: Annotated[
         Path | None,
-        typer.Option(metavar="DIR", help="Write index.html, results.json and results.csv there."),
+        typer.Option(
+            metavar="DIR",
+            help="For index.html, results.json and results.csv; default: STAGE-tradeoff.",
+        ),
     ] = None,
     camera: Annotated[
         str | None, typer.Option(help="Prim path or name; default: the render settings', or first.")
@@ -58,12 +61,13 @@ def tradeoff_command(
 ) -> int:
     """Measure how good a picture each way to render the stage gives in how much time.
 
-    All are rendered in turn, in rounds; Ctrl-C tells of, and writes, the rounds that have finished.
+    Writes a page that shows it, and the figures. All are rendered in turn, in rounds; Ctrl-C tells
+    of, and writes, the rounds that have finished.
     """
-    if out is not None:
-        check_report(out)
     size = numbers("resolution", resolution, "x", 2)
     opened = open_named(stage, frame)
+    folder = out if out is not None else Path(f"{Path(stage).stem}-tradeoff")
+    check_report(folder)
     status = 0
     with step_progress("measuring") as progress:
         try:
@@ -80,8 +84,7 @@ def tradeoff_command(
         except TradeoffInterrupted as interruption:
             status, result = INTERRUPTED, interruption.result
     _tell(result)
-    if out is not None:
-        print(f"wrote {write_report(result, out)}", file=sys.stderr)
+    print(f"wrote {write_report(result, folder)}", file=sys.stderr)
     return status
 
 
