@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -65,6 +66,7 @@ struct RenderStatistics {
     /// complete passes on, if there is an error target or that AOV. It is noise that is estimated, without what a
     /// finite depth leaves out, and only noise that has been seen: an event too rare for any pass so far is not in it.
     double error = std::numeric_limits<double>::infinity();
+    std::optional<ChosenMethod> chosen;  ///< by IntegratorKind::Auto; empty until it has, and for others
     std::uint64_t camera_paths = 0;
     std::uint64_t light_paths = 0;
     std::uint64_t rays = 0;                              ///< intersection and visibility rays

@@ -8,7 +8,10 @@
 
 namespace etendue {
 
-enum class IntegratorKind { Path, Light, Bdpt };
+/// Auto chooses Path, or Bdpt with a number of light paths, by what the scene holds and, where the render is long
+/// enough to pay for it, by a small trial of each. RenderStatistics::chosen tells which; the same settings choose the
+/// same.
+enum class IntegratorKind { Path, Light, Bdpt, Auto };
 
 /// Power heuristic has beta = 2 (Veach 9.2), balance beta = 1.
 enum class MisHeuristic { Balance, Power };
@@ -34,6 +37,14 @@ struct StrategySet {
 struct Strategy {
     int s = 0;
     int t = 0;
+};
+
+/// What IntegratorKind::Auto makes of a scene: as settings, they repeat the render.
+struct ChosenMethod {
+    IntegratorKind integrator = IntegratorKind::Bdpt;  ///< Path, or Bdpt with all its strategies
+    std::optional<double> light_paths_per_pixel;       ///< of Bdpt; empty: as RenderSettings has it
+
+    [[nodiscard]] bool operator==(const ChosenMethod&) const = default;
 };
 
 enum class Aov { Color, Alpha, Depth, Normal, Albedo, SampleCount, Variance };
@@ -78,7 +89,7 @@ struct RenderSettings {
     StrategySet strategies;                   ///< bdpt; path heeds emission_hit and direct_light
     std::optional<Strategy> single_strategy;  ///< bdpt: shows only this one, unweighted (C* of theory.md §2)
     /// Light subpaths traced per pixel and pass (bdpt, light). Empty: 1 for light; for bdpt 4 where something gathers
-    /// light into caustics, which they alone render well, else 0.5.
+    /// light into caustics, which they alone render well, else 0.5. Auto chooses it.
     std::optional<double> light_paths_per_pixel;
     int roulette_depth = 4;  ///< bounces before Russian roulette may end a path; negative: never
     AdjointPolicy adjoint;

@@ -22,6 +22,7 @@ std::unique_ptr<Integrator> make_integrator(const RenderContext& context) {
         case IntegratorKind::Light:
             return std::make_unique<BdptIntegrator>(context, kLightImageOnly);
         case IntegratorKind::Bdpt:
+        case IntegratorKind::Auto:  // before it has chosen
             break;
     }
     return std::make_unique<BdptIntegrator>(context, context.settings.strategies);

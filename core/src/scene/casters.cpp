@@ -37,6 +37,27 @@ double narrow_part(const Bsdf& bsdf, Rng& rng) {
     return sum / kTries;
 }
 
+bool sends_in_one_direction(const Bsdf& bsdf, Rng& rng) {
+    constexpr int kTries = 256;  // the coat of a plastic is chosen once in twenty tries
+    const Vec3 wo = normalize({1, 0, 1});
+    for (int i = 0; i < kTries; ++i) {
+        const double u_lobe = rng.next_1d();
+        const auto sample = bsdf.sample(wo, u_lobe, rng.next_2d(), TransportMode::Importance, {});
+        if (sample && sample->delta) return true;
+    }
+    return false;
+}
+
+/// Textured materials are tried here and there.
+constexpr std::array<Vec2, 4> kPlaces{Vec2{0.13, 0.29}, Vec2{0.41, 0.83}, Vec2{0.67, 0.37}, Vec2{0.89, 0.61}};
+
+Bsdf bsdf_at(const MaterialDesc& material, const TextureSet& textures, const Vec2& st) {
+    SurfaceInteraction si;
+    si.n_g = si.n_s = {0, 0, 1};
+    si.st = st;
+    return make_bsdf(material, textures, si);
+}
+
 // ------------------------------------------------------------------------------------------------------- shapes
 
 bool is_caster(const PlacedShape& shape, std::size_t slot, const std::vector<bool>& focusing) {
@@ -72,17 +93,16 @@ Sphere around(const Quadric& quadric, const std::vector<bool>& slots) {
 }  // namespace
 
 bool focuses(const MaterialDesc& material, const TextureSet& textures) {
-    // Textured materials are tried here and there.
-    constexpr std::array<Vec2, 4> kPlaces{Vec2{0.13, 0.29}, Vec2{0.41, 0.83}, Vec2{0.67, 0.37}, Vec2{0.89, 0.61}};
     Rng rng(1, 0, 0);
     double sum = 0;
-    for (const Vec2& st : kPlaces) {
-        SurfaceInteraction si;
-        si.n_g = si.n_s = {0, 0, 1};
-        si.st = st;
-        sum += narrow_part(make_bsdf(material, textures, si), rng);
-    }
+    for (const Vec2& st : kPlaces) sum += narrow_part(bsdf_at(material, textures, st), rng);
     return sum >= kLeastNarrow * kPlaces.size();
+}
+
+bool has_delta_lobe(const MaterialDesc& material, const TextureSet& textures) {
+    Rng rng(1, 0, 0);
+    return std::any_of(kPlaces.begin(), kPlaces.end(),
+                       [&](const Vec2& st) { return sends_in_one_direction(bsdf_at(material, textures, st), rng); });
 }
 
 Sphere transformed(const Sphere& sphere, const Transform& transform) {

@@ -17,6 +17,9 @@ namespace etendue {
 /// Whether the material is of that kind: by trying it, whatever its model.
 [[nodiscard]] bool focuses(const MaterialDesc& material, const TextureSet& textures);
 
+/// Whether it sends any light on in a single direction, if only straight through a hole: likewise.
+[[nodiscard]] bool has_delta_lobe(const MaterialDesc& material, const TextureSet& textures);
+
 /// Spheres around those parts of the shapes whose materials focus, in the shapes' space; `focusing` is by material.
 [[nodiscard]] std::vector<Sphere> find_casters(const std::vector<PlacedShape>& shapes,
                                                const std::vector<bool>& focusing);

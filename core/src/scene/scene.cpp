@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -280,6 +281,12 @@ std::vector<Sphere> Scene::find_casters() const {
         }
     }
     return casters;
+}
+
+bool Scene::needs_light_paths() const {
+    return std::any_of(lights_.begin(), lights_.end(), [](const auto& light) { return light->delta(); }) &&
+           std::any_of(materials_.begin(), materials_.end(),
+                       [this](const MaterialDesc& material) { return has_delta_lobe(material, *textures_); });
 }
 
 std::optional<SurfaceInteraction> Scene::intersect(const Ray& ray) const {

@@ -78,6 +78,8 @@ public:
     /// How light subpaths start.
     [[nodiscard]] const EmissionAim& emission() const { return emission_; }
     [[nodiscard]] std::size_t light_count() const { return lights_.size(); }
+    /// Whether some light may reach the camera that no path from there can find: a delta light behind a delta lobe.
+    [[nodiscard]] bool needs_light_paths() const;
 
 private:
     struct Instance {

@@ -21,6 +21,7 @@
 #include "scene/world_origin.h"
 #include "session/error_watch.h"
 #include "session/pass.h"
+#include "session/pilot.h"
 #include "session/validate_settings.h"
 #include "util/hand_over.h"
 
@@ -97,9 +98,13 @@ public:
                  before != nullptr ? &before->scene_ : nullptr),
           camera_(off_surfaces(scene_, make_camera(scene, settings_, origin_))),
           integrator_(make_integrator(make_context(scene_, camera_, settings_))),
-          runner_(*integrator_, render_window(settings_)),
+          runner_(std::in_place, *integrator_, render_window(settings_)),
           film_(settings_, render_window(settings_), integrator_->image_strategies()),
-          watch_(settings_.error_target) {}
+          watch_(settings_.error_target) {
+        if (settings_.integrator == IntegratorKind::Auto) {
+            pilot_camera_ = off_surfaces(scene_, make_camera(scene, pilot_settings(settings_), origin_));
+        }
+    }
 
     ~Impl() {
         cancel();
@@ -169,6 +174,7 @@ public:
         const std::lock_guard lock(state_mutex_);
         image.statistics.seconds = seconds();
         image.statistics.error = watch_.error();
+        image.statistics.chosen = chosen_;
         return image;
     }
 
@@ -188,6 +194,7 @@ private:
         std::exception_ptr failure;
         try {
             arena_.execute([this] {
+                if (pilot_camera_) choose();
                 render_passes();
                 look_at_error();
             });
@@ -213,9 +220,22 @@ private:
         ended_signal_.notify_all();
     }
 
+    /// Only the render's own thread knows of the integrator.
+    void choose() {
+        const ChosenMethod method = choose_method(settings_, scene_, *pilot_camera_, stop_);
+        chosen_settings_ = settings_;
+        chosen_settings_.integrator = method.integrator;
+        chosen_settings_.light_paths_per_pixel = method.light_paths_per_pixel;
+        runner_.reset();
+        integrator_ = make_integrator(make_context(scene_, camera_, chosen_settings_));
+        runner_.emplace(*integrator_, render_window(settings_));
+        const std::lock_guard lock(state_mutex_);
+        chosen_ = method;
+    }
+
     void render_passes() {
         for (std::int64_t pass = 0; settings_.samples_per_pixel == 0 || pass < settings_.samples_per_pixel; ++pass) {
-            if (!runner_.run(static_cast<std::uint64_t>(pass), stop_, [this](const FilmTile& tile) {
+            if (!runner_->run(static_cast<std::uint64_t>(pass), stop_, [this](const FilmTile& tile) {
                     take(tile);
                     hold();
                 })) {
@@ -261,8 +281,10 @@ private:
     tbb::task_arena arena_;
     Scene scene_;
     Camera camera_;
+    std::optional<Camera> pilot_camera_;  ///< only for Auto
+    RenderSettings chosen_settings_;      ///< likewise
     std::unique_ptr<Integrator> integrator_;
-    PassRunner runner_;
+    std::optional<PassRunner> runner_;
     Film film_;
     ErrorWatch watch_;  ///< changed by the render's thread alone, and then under state_mutex_
 
@@ -274,6 +296,7 @@ private:
     std::condition_variable ended_signal_;
     std::atomic<bool> stop_{false};
     std::atomic<std::int64_t> passes_done_{0};
+    std::optional<ChosenMethod> chosen_;
     bool started_ = false;
     bool finished_ = false;  ///< rendering is
     bool ended_ = false;     ///< and the callback knows

@@ -53,6 +53,11 @@ void validate_settings(const RenderSettings& settings, const SceneDescription& s
                 settings.strategies.direct_light,
             "without light paths only the strategies of the camera remain, and they are switched off");
     require(settings.integrator != IntegratorKind::Light || light_paths > 0, "the light integrator needs light paths");
+    const StrategySet& s = settings.strategies;
+    require(
+        settings.integrator != IntegratorKind::Auto || (s.emission_hit && s.direct_light && s.connection &&
+                                                        s.light_image && s.lens_hit && !settings.light_paths_per_pixel),
+        "the auto integrator chooses strategies and light paths itself");
     require(settings.threads >= 0, "the number of threads must not be negative");
     require(light_paths >= 0 && std::isfinite(light_paths), "light paths per pixel must not be negative");
     require(light_paths <= kMostLightPathsPerPixel, "too many light paths per pixel");
@@ -60,7 +65,8 @@ void validate_settings(const RenderSettings& settings, const SceneDescription& s
             "a single strategy needs the bdpt integrator");
     require(settings.strategy_images >= 0, "the path length of strategy images must not be negative");
     require(settings.strategy_images <= kLongestStrategyImages, "strategy images of such long paths are too many");
-    require(settings.strategy_images == 0 || settings.integrator != IntegratorKind::Path,
+    require(settings.strategy_images == 0 || settings.integrator == IntegratorKind::Bdpt ||
+                settings.integrator == IntegratorKind::Light,
             "strategy images need the bdpt or the light integrator");
     require(settings.strategy_images == 0 || !settings.single_strategy,
             "strategy images show all strategies, not a single one");

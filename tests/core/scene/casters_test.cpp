@@ -50,6 +50,32 @@ TEST(Casters, Materials) {
     EXPECT_FALSE(focuses(preview));
 }
 
+bool has_delta_lobe(const MaterialModel& model) {
+    MaterialDesc material;
+    material.model = model;
+    return has_delta_lobe(material, TextureSet({}));
+}
+
+TEST(Casters, DeltaLobes) {
+    ConductorMaterial metal;
+    DielectricMaterial glass;
+    OpenPbrMaterial open_pbr;
+    PreviewSurfaceMaterial preview;
+    EXPECT_TRUE(has_delta_lobe(metal));
+    EXPECT_TRUE(has_delta_lobe(glass));
+    EXPECT_FALSE(has_delta_lobe(DiffuseMaterial{}));
+    EXPECT_FALSE(has_delta_lobe(PhongMaterial{}));
+    EXPECT_FALSE(has_delta_lobe(open_pbr));
+    EXPECT_FALSE(has_delta_lobe(preview));
+    metal.roughness.value = glass.roughness.value = 0.25;
+    EXPECT_FALSE(has_delta_lobe(metal));
+    EXPECT_FALSE(has_delta_lobe(glass));
+    preview.opacity.value = 0.9;  // holes
+    EXPECT_TRUE(has_delta_lobe(preview));
+    open_pbr.specular_roughness.value = 0;  // a coat
+    EXPECT_TRUE(has_delta_lobe(open_pbr));
+}
+
 std::vector<Sphere> casters_of(const ShapeDesc& shape, const SceneDescription& scene, const Transform& world) {
     std::vector<bool> focusing;
     for (const MaterialDesc& m : scene.materials) focusing.push_back(focuses(m.model));

@@ -51,6 +51,23 @@ TEST(Settings, AreCheckedOneByOne) {
         {[=](auto& s) { s.error_target = inf; }, "error target"},
         {[](auto& s) { s.max_depth = -1; }, "maximum depth"},
         {[](auto& s) { s.threads = -1; }, "threads"},
+        {[](auto& s) {
+             s.integrator = IntegratorKind::Auto;
+             s.light_paths_per_pixel = 1;
+         },
+         "auto integrator"},
+        {[](auto& s) {
+             s.integrator = IntegratorKind::Auto;
+             s.light_paths_per_pixel.reset();
+             s.strategies.connection = false;
+         },
+         "auto integrator"},
+        {[](auto& s) {
+             s.integrator = IntegratorKind::Auto;
+             s.light_paths_per_pixel.reset();
+             s.strategy_images = 3;
+         },
+         "strategy images"},
         {[](auto& s) { s.light_paths_per_pixel = -0.5; }, "light paths"},
         {[=](auto& s) { s.light_paths_per_pixel = nan; }, "light paths"},
         {[=](auto& s) { s.light_paths_per_pixel = inf; }, "light paths"},
