@@ -21,7 +21,7 @@ struct Setting {
     const char* variable;  ///< environment variable that holds another default
 };
 
-constexpr Setting kIntegrator{"etendue:integrator", "Integrator (bdpt, path, light)", "HDETENDUE_INTEGRATOR"};
+constexpr Setting kIntegrator{"etendue:integrator", "Integrator (bdpt, path, light, auto)", "HDETENDUE_INTEGRATOR"};
 constexpr Setting kSamples{"etendue:samplesPerPixel", "Samples per pixel", "HDETENDUE_SAMPLES_PER_PIXEL"};
 constexpr Setting kTimeLimit{"etendue:timeLimit", "Time limit (seconds, 0: none)", "HDETENDUE_TIME_LIMIT"};
 constexpr Setting kErrorTarget{"etendue:errorTarget", "Relative error that is good enough (0: none)",
@@ -40,8 +40,10 @@ constexpr Setting kPhong{"etendue:adjoint:phong", "Adjoint factor of classic Pho
 constexpr Setting kOutput{"etendue:output", "Write the finished picture to (.exr)", "HDETENDUE_OUTPUT"};
 
 const std::map<std::string, IntegratorKind>& integrators() {
-    static const std::map<std::string, IntegratorKind> names{
-        {"bdpt", IntegratorKind::Bdpt}, {"path", IntegratorKind::Path}, {"light", IntegratorKind::Light}};
+    static const std::map<std::string, IntegratorKind> names{{"bdpt", IntegratorKind::Bdpt},
+                                                             {"path", IntegratorKind::Path},
+                                                             {"light", IntegratorKind::Light},
+                                                             {"auto", IntegratorKind::Auto}};
     return names;
 }
 

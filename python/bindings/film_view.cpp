@@ -65,6 +65,7 @@ void bind_film_view(py::module_& module) {
         .def_readonly("passes", &RenderStatistics::passes)
         .def_readonly("seconds", &RenderStatistics::seconds)
         .def_readonly("error", &RenderStatistics::error)
+        .def_readonly("chosen", &RenderStatistics::chosen)
         .def_readonly("camera_paths", &RenderStatistics::camera_paths)
         .def_readonly("light_paths", &RenderStatistics::light_paths)
         .def_readonly("rays", &RenderStatistics::rays)

@@ -13,7 +13,8 @@ void bind_enums(py::module_& module) {
     py::enum_<IntegratorKind>(module, "IntegratorKind")
         .value("Path", IntegratorKind::Path)
         .value("Light", IntegratorKind::Light)
-        .value("Bdpt", IntegratorKind::Bdpt);
+        .value("Bdpt", IntegratorKind::Bdpt)
+        .value("Auto", IntegratorKind::Auto);
     py::enum_<MisHeuristic>(module, "MisHeuristic")
         .value("Balance", MisHeuristic::Balance)
         .value("Power", MisHeuristic::Power);
@@ -45,6 +46,10 @@ void bind_parts(py::module_& module) {
         .def_readwrite("light_image", &StrategySet::light_image)
         .def_readwrite("lens_hit", &StrategySet::lens_hit);
     def_keyword_constructor<StrategySet>(strategies);
+
+    py::class_<ChosenMethod>(module, "ChosenMethod")
+        .def_readonly("integrator", &ChosenMethod::integrator)
+        .def_readonly("light_paths_per_pixel", &ChosenMethod::light_paths_per_pixel);
 
     py::class_<Strategy> strategy(module, "Strategy");
     strategy.def_readwrite("s", &Strategy::s).def_readwrite("t", &Strategy::t);

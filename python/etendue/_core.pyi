@@ -184,6 +184,7 @@ class IntegratorKind:
     Path: IntegratorKind
     Light: IntegratorKind
     Bdpt: IntegratorKind
+    Auto: IntegratorKind
     __members__: dict[str, IntegratorKind]
     def __init__(self, value: int) -> None: ...
     @property
@@ -909,6 +910,16 @@ def aov_name(aov: Aov) -> str: ...
 def aov_channels(aov: Aov) -> int: ...
 
 @final
+class ChosenMethod:
+    """What the integrator "auto" makes of a scene; as settings, they repeat the render."""
+
+    @property
+    def integrator(self) -> IntegratorKind: ...
+    @property
+    def light_paths_per_pixel(self) -> float | None:
+        """None: as RenderSettings has it."""
+
+@final
 class RenderStatistics:
     @property
     def passes(self) -> int: ...
@@ -917,6 +928,10 @@ class RenderStatistics:
     @property
     def error(self) -> float:
         """sqrt(relMSE) that the picture's own noise lets expect; inf while unknown."""
+
+    @property
+    def chosen(self) -> ChosenMethod | None:
+        """By the integrator "auto"; None until it has, and for others."""
 
     @property
     def camera_paths(self) -> int: ...

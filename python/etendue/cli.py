@@ -23,7 +23,14 @@ from etendue.image import Image
 from etendue.inspection_table import inspection_table
 from etendue.presets import PRESETS
 from etendue.progress import duration, error_text, progress_display
-from etendue.settings import AOVS, DEFAULT_SAMPLES, FILTERS, INTEGRATORS, RenderOptions
+from etendue.settings import (
+    AOVS,
+    DEFAULT_SAMPLES,
+    FILTERS,
+    INTEGRATORS,
+    RenderOptions,
+    integrator_text,
+)
 from etendue.tradeoff.command import tradeoff_command
 from etendue.validation.command import validate_command
 
@@ -140,7 +147,13 @@ def render(
             help="Relative error that is good enough, from the picture's own noise: 0.05 for 5 %."
         ),
     ] = None,
-    integrator: Annotated[str, typer.Option(help="|".join(INTEGRATORS))] = "bdpt",
+    integrator: Annotated[
+        str,
+        typer.Option(
+            help=f"{'|'.join(INTEGRATORS)}; auto chooses path or bdpt, and --light-paths, by a "
+            "short trial of each."
+        ),
+    ] = "bdpt",
     max_depth: Annotated[
         int | None,
         typer.Option(
@@ -215,6 +228,8 @@ def render(
     samples = f"{statistics.passes} spp" if statistics.passes else "less than 1 spp"
     if isfinite(statistics.error):
         samples += f", {error_text(statistics.error)}"
+    if statistics.chosen is not None:
+        samples += f", auto chose {integrator_text(statistics.chosen)}"
     if interrupted or not quiet:
         _say(
             f"{told} {output}: {image.width}x{image.height}, {samples}, "

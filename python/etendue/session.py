@@ -12,6 +12,7 @@ from types import TracebackType
 from etendue import _core
 from etendue.exceptions import Interrupted
 from etendue.image import Image
+from etendue.settings import integrator_text
 
 Progress = Callable[[_core.RenderProgress], object]
 
@@ -126,6 +127,8 @@ class Session:
         metadata["etendue:seconds"] = f"{rendered.statistics.seconds:.3f}"
         if math.isfinite(rendered.statistics.error):
             metadata["etendue:error"] = f"{rendered.statistics.error:.4g}"
+        if rendered.statistics.chosen is not None:
+            metadata["etendue:chosen"] = integrator_text(rendered.statistics.chosen)
         return Image(rendered, metadata)
 
 

@@ -18,6 +18,7 @@ INTEGRATORS = {
     "path": _core.IntegratorKind.Path,
     "light": _core.IntegratorKind.Light,
     "bdpt": _core.IntegratorKind.Bdpt,
+    "auto": _core.IntegratorKind.Auto,
 }
 HEURISTICS = {"balance": _core.MisHeuristic.Balance, "power": _core.MisHeuristic.Power}
 FILTERS = {
@@ -46,7 +47,9 @@ class RenderOptions(TypedDict, total=False):
         RenderStatistics.error estimates it from the picture's own noise. It is looked at now and
         then from the 16th sample on. What a finite max_depth leaves out, and what is too rare for
         any sample so far, is no noise and not in it.
-    integrator: "path", "light" or "bdpt" (default).
+    integrator: "path", "light", "bdpt" (default) or "auto", which chooses path, or bdpt with a
+        number of light paths, by what the stage holds and, for renders long enough to pay for it,
+        by a small trial of each. RenderStatistics.chosen tells; see integrator_text().
     max_depth: bounces; 0 shows emission only. Default 16.
     seed: the same seed gives the same image, whatever the number of threads.
     threads: 0 (default) means all.
@@ -124,6 +127,13 @@ def render_settings(
     names = ["color", *options.get("aovs", ("alpha",))]
     settings.aovs = [_choice("aov", name, AOVS) for name in dict.fromkeys(names)]
     return settings
+
+
+def integrator_text(chosen: _core.ChosenMethod) -> str:
+    """What "auto" chose, as options of the command that repeat the render."""
+    name = next(name for name, kind in INTEGRATORS.items() if kind == chosen.integrator)
+    count = chosen.light_paths_per_pixel
+    return f"--integrator {name}" + ("" if count is None else f" --light-paths {count:g}")
 
 
 def _with_preset(options: RenderOptions) -> RenderOptions:

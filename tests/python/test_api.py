@@ -127,7 +127,7 @@ def test_crop_is_part_of_the_whole(stage: etendue.Stage) -> None:
     )
 
 
-@pytest.mark.parametrize("integrator", ["path", "light", "bdpt"])
+@pytest.mark.parametrize("integrator", ["path", "light", "bdpt", "auto"])
 def test_seed_and_threads(stage: etendue.Stage, integrator: str) -> None:
     options: Any = {**SMALL, "integrator": integrator, "spp": 4}
     one = stage.render(**options, seed=5, threads=1)
@@ -140,10 +140,30 @@ def test_seed_and_threads(stage: etendue.Stage, integrator: str) -> None:
 def test_integrators_agree(stage: etendue.Stage) -> None:
     means = [
         stage.render(resolution=(8, 6), spp=2048, integrator=name).color.mean()
-        for name in ("path", "light", "bdpt")
+        for name in ("path", "light", "bdpt", "auto")
     ]
     assert max(means) == pytest.approx(min(means), rel=0.1)
     assert min(means) > 0
+
+
+def test_auto_tells_what_it_chose(stage: etendue.Stage) -> None:
+    """One lamp over one matte square: a render long enough for a pilot traces paths from the camera
+    alone, a short one does without a pilot."""
+    brief = stage.render(**SMALL, integrator="auto")
+    assert brief.metadata["etendue:integrator"] == "auto"
+    assert brief.metadata["etendue:chosen"] == "--integrator bdpt"
+    np.testing.assert_array_equal(brief.color, stage.render(**SMALL).color)
+
+    options: Any = {"resolution": (500, 500), "spp": 8, "max_depth": 2}
+    long = stage.render(**options, integrator="auto")
+    assert long.metadata["etendue:chosen"] == "--integrator path"
+    assert long.statistics.chosen is not None
+    assert long.statistics.chosen.light_paths_per_pixel is None
+    assert long.statistics.light_paths == 0
+    fixed = stage.render(**options, integrator="path")
+    assert fixed.statistics.chosen is None
+    assert "etendue:chosen" not in fixed.metadata
+    np.testing.assert_array_equal(long.color, fixed.color)
 
 
 def test_max_depth_0_shows_emission_only(build: StageBuilder) -> None:
@@ -315,7 +335,7 @@ def test_orthographic_camera(build: StageBuilder, integrator: str) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"integrator": "magic"}, "unknown integrator 'magic'; there are: path, light, bdpt"),
+        ({"integrator": "magic"}, "unknown integrator 'magic'; there are: path, light, bdpt, auto"),
         ({"aovs": ["beauty"]}, "unknown aov 'beauty'; there are: color, alpha"),
         ({"filter": "sinc"}, "unknown filter 'sinc'"),
         ({"heuristic": "gut"}, "unknown heuristic 'gut'"),

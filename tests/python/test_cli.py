@@ -63,6 +63,18 @@ def test_render_exr(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert f"wrote {out}: 16x12, 2 spp" in capsys.readouterr().err
 
 
+def test_render_auto(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What it tells are options that repeat the render."""
+    out = tmp_path / "a.exr"
+    assert cli.run(["render", str(file), "-o", str(out), *SMALL, "--integrator", "auto"]) == 0
+    chosen = "--integrator bdpt"
+    assert f"2 spp, auto chose {chosen}" in capsys.readouterr().err
+    assert read_exr_header(out)["etendue:chosen"] == chosen
+    arguments = ["render", str(file), "-o", str(out), *SMALL, "--integrator", "auto"]
+    assert cli.run([*arguments, "--light-paths", "1"]) == 1
+    assert "chooses strategies and light paths itself" in capsys.readouterr().err
+
+
 def test_render_strategy_images(file: Path, tmp_path: Path) -> None:
     out = tmp_path / "a.exr"
     assert cli.run(["render", str(file), "-o", str(out), *SMALL, "--strategy-images", "1"]) == 0

@@ -18,6 +18,7 @@ class EtendueSettings(bpy.types.PropertyGroup):
             ("bdpt", "Bidirectional", "Paths from the camera and from the lights, joined"),
             ("path", "Path", "Paths from the camera; the reference"),
             ("light", "Light", "Paths from the lights, joined to the lens"),
+            ("auto", "Automatic", "Path or bidirectional, by a short trial in long renders"),
         ),
         default="bdpt",
     )
