@@ -212,7 +212,7 @@ TEST(Auto, LooksAtTheCrop) {
     const RenderSettings half = pilot_settings(settings);
     EXPECT_EQ(half.crop->x1, half.width);
     EXPECT_EQ(half.crop->y1, half.height);
-    EXPECT_NEAR(half.crop->y0, half.height / 2, 1);
+    EXPECT_NEAR(half.crop->y0, 0.5 * half.height, 1);
     settings.crop = PixelWindow{511, 511, 512, 512};
     settings.width = settings.height = 1 << 14;
     EXPECT_EQ(pilot_settings(settings).width, settings.width);

@@ -26,15 +26,16 @@ struct MadeUp {
     }
     [[nodiscard]] double least() const {
         double cost = kInfinity;
-        for (double n = kFewestLightPaths; n <= kMostLightPaths; n *= 2) {
-            cost = std::min(cost, (*this)({IntegratorKind::Bdpt, n}));
+        for (int doublings = 0; doublings <= std::log2(kMostLightPaths / kFewestLightPaths); ++doublings) {
+            cost = std::min(cost, (*this)({IntegratorKind::Bdpt, kFewestLightPaths * std::exp2(doublings)}));
         }
         return cost;
     }
 };
 
 TEST(MethodChoice, FindsTheBestNumberOfLightPaths) {
-    for (double best = 1.0 / 32; best <= 128; best *= 1.3) {
+    for (int step = -20; step <= 28; ++step) {
+        const double best = std::exp2(0.25 * step);
         for (const double c : {0.1, 1.0, 10.0, 1000.0}) {
             const MadeUp costs{best * best / c, c, kInfinity};
             const ChosenMethod chosen = choose_method(costs);
