@@ -24,6 +24,7 @@ struct Setting {
 constexpr Setting kIntegrator{"etendue:integrator", "Integrator (bdpt, path, light)", "HDETENDUE_INTEGRATOR"};
 constexpr Setting kSamples{"etendue:samplesPerPixel", "Samples per pixel", "HDETENDUE_SAMPLES_PER_PIXEL"};
 constexpr Setting kTimeLimit{"etendue:timeLimit", "Time limit (seconds, 0: none)", "HDETENDUE_TIME_LIMIT"};
+constexpr Setting kAdaptive{"etendue:adaptive", "Samples go where the noise is", "HDETENDUE_ADAPTIVE"};
 constexpr Setting kMaxDepth{"etendue:maxDepth", "Maximum bounces", "HDETENDUE_MAX_DEPTH"};
 constexpr Setting kSeed{"etendue:seed", "Seed", "HDETENDUE_SEED"};
 constexpr Setting kThreads{"etendue:threads", "Threads (0: all)", "HDETENDUE_THREADS"};
@@ -98,6 +99,7 @@ HdRenderSettingDescriptorList setting_descriptors() {
     return {describe(kIntegrator, VtValue(TfGetenv(kIntegrator.variable, "bdpt"))),
             whole(kSamples, defaults.samples_per_pixel),
             describe(kTimeLimit, VtValue(static_cast<float>(TfGetenvDouble(kTimeLimit.variable, 0)))),
+            flag(kAdaptive, defaults.adaptive),
             whole(kMaxDepth, defaults.max_depth),
             whole(kSeed, 0),
             whole(kThreads, defaults.threads),
@@ -116,6 +118,7 @@ RenderSettings render_settings(const HdRenderDelegate& delegate) {
     settings.integrator = integrator(delegate, settings.integrator);
     settings.samples_per_pixel = samples_per_pixel(delegate, settings.samples_per_pixel);
     settings.time_limit = number(delegate, kTimeLimit, settings.time_limit);
+    settings.adaptive = number(delegate, kAdaptive, settings.adaptive ? 1 : 0) != 0;
     settings.max_depth = whole_number(delegate, kMaxDepth, settings.max_depth);
     settings.seed = whole_number(delegate, kSeed, settings.seed);
     settings.threads = whole_number(delegate, kThreads, settings.threads);
