@@ -815,6 +815,7 @@ class RenderSettings:
         samples_per_pixel: int = ...,
         time_limit: float = ...,
         error_target: float = ...,
+        adaptive: bool = ...,
         max_depth: int = ...,
         seed: int = ...,
         threads: int = ...,
@@ -837,6 +838,7 @@ class RenderSettings:
     samples_per_pixel: int
     time_limit: float
     error_target: float
+    adaptive: bool
     max_depth: int
     seed: int
     threads: int

@@ -47,6 +47,8 @@ class RenderOptions(TypedDict, total=False):
         RenderStatistics.error estimates it from the picture's own noise. It is looked at now and
         then from the 16th sample on. What a finite max_depth leaves out, and what is too rare for
         any sample so far, is no noise and not in it.
+    adaptive: places the samples of path and bdpt where the noise is, tile by tile, from the 17th per
+        pixel on; without bias. Default False. light has none to place and stays as it is.
     integrator: "path", "light", "bdpt" (default) or "auto", which chooses path, or bdpt with a
         number of light paths, by what the stage holds and, for renders long enough to pay for it,
         by a small trial of each. RenderStatistics.chosen tells; see integrator_text().
@@ -75,6 +77,7 @@ class RenderOptions(TypedDict, total=False):
     time: float | None
     error: float | None
     integrator: str
+    adaptive: bool
     max_depth: int | None
     seed: int
     threads: int
@@ -103,6 +106,7 @@ def render_settings(
 
     settings.integrator = _choice("integrator", options.get("integrator", "bdpt"), INTEGRATORS)
     _set_limits(settings, options)
+    settings.adaptive = options.get("adaptive", settings.adaptive)
     max_depth = options.get("max_depth")
     if max_depth is not None:
         settings.max_depth = _at_least("max_depth", max_depth, 0)

@@ -14,6 +14,7 @@
 #include "scene/media_probe.h"
 #include "session/pass.h"
 #include "session/rare_light.h"
+#include "session/sample_plan.h"
 #include "session/validate_settings.h"
 
 namespace etendue {
@@ -103,6 +104,7 @@ RenderSettings pilot_settings(const RenderSettings& settings) {
     small.seed = ~settings.seed;
     small.aovs = {Aov::Color, Aov::Variance};
     small.error_target = 0;
+    small.adaptive = false;
     return small;
 }
 
@@ -139,10 +141,11 @@ Pilot::Trial Pilot::render(const ChosenMethod& method) const {
     const RenderContext about = context(settings);
     const std::unique_ptr<Integrator> integrator = make_integrator(about);
     const PassRunner runner(*integrator, about.window);
+    const SamplePlan even(runner.tiles());
     Film film(settings, about.window);
     double work = 0;
     for (std::uint64_t pass = 0; pass < kReplicates || pass % kReplicates != 0 || work < kWork; ++pass) {
-        const bool whole = runner.run(pass, stop_, [&](const FilmTile& tile) {
+        const bool whole = runner.run(pass, even, stop_, [&](const FilmTile& tile) {
             film.add(tile);
             work += static_cast<double>(tile.rays + tile.camera_paths);
         });
@@ -194,8 +197,9 @@ double Pilot::rare_error() {
     RareLight rare(about.window, brightness(), integrator->image_strategies(),
                    static_cast<double>(integrator->light_paths_per_pass()));
     const PassRunner runner(*integrator, about.window);
+    const SamplePlan even(runner.tiles());
     for (std::uint64_t pass = 0; pass < kReplicates; ++pass) {
-        runner.run(pass, stop_, [&](const FilmTile& tile) { rare.add(tile); });
+        runner.run(pass, even, stop_, [&](const FilmTile& tile) { rare.add(tile); });
     }
     return relative_error(rare.variance(static_cast<double>(kReplicates)), 0);
 }
