@@ -14,9 +14,14 @@ inline bool asks_for(const RenderSettings& settings, std::initializer_list<Aov> 
     });
 }
 
+/// Whether camera samples go where the noise is. Where none carry light there is nothing to place.
+inline bool places_samples(const RenderSettings& settings) {
+    return settings.adaptive && settings.integrator != IntegratorKind::Light;
+}
+
 /// Whether the film has to know how far its replicates are apart.
 inline bool keeps_replicates(const RenderSettings& settings) {
-    return settings.error_target > 0 || asks_for(settings, {Aov::Variance});
+    return settings.error_target > 0 || asks_for(settings, {Aov::Variance}) || places_samples(settings);
 }
 
 }  // namespace etendue

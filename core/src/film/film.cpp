@@ -21,20 +21,24 @@ void store(std::span<float> out, std::size_t pixel, const Rgb& value) {
 }  // namespace
 
 Film::Film(const RenderSettings& settings, const PixelWindow& window, std::vector<Strategy> strategies)
-    : settings_(settings), filter_(settings.filter), window_(window), strategies_(std::move(strategies), window) {
-    const auto pixels =
-        static_cast<std::size_t>(window.x1 - window.x0) * static_cast<std::size_t>(window.y1 - window.y0);
-    camera_.resize(pixels);
-    count_.resize(pixels);
-    if (asks_for(settings, {Aov::Alpha, Aov::Depth, Aov::Normal, Aov::Albedo})) surface_.resize(pixels);
-    if (keeps_replicates(settings)) replicates_.emplace(pixels);
+    : settings_(settings),
+      filter_(settings.filter),
+      window_(window),
+      camera_(pixel_index(window, window.x0, window.y1),
+              asks_for(settings, {Aov::Alpha, Aov::Depth, Aov::Normal, Aov::Albedo}), places_samples(settings)),
+      strategies_(std::move(strategies), window, camera_.parts()) {
+    if (keeps_replicates(settings)) replicates_.emplace(camera_.pixels(), places_samples(settings));
+}
+
+std::uint64_t Film::replicate() const {
+    return place_of_pass(static_cast<std::uint64_t>(statistics_.passes)).replicate;
 }
 
 void Film::add(const FilmTile& tile) {
     add_samples(tile);
-    if (!tile.splats.empty() && splat_.empty()) splat_.resize(camera_.size());
+    if (!tile.splats.empty() && splat_.empty()) splat_.resize(camera_.pixels());
     for (const Splat& splat : tile.splats) add_splat(splat);
-    strategies_.add(tile, filter_);
+    strategies_.add(tile, filter_, camera_.part_of(replicate()));
     statistics_.camera_paths += tile.camera_paths;
     statistics_.light_paths += tile.light_paths;
     statistics_.rays += tile.rays;
@@ -43,19 +47,15 @@ void Film::add(const FilmTile& tile) {
 }
 
 void Film::add_samples(const FilmTile& tile) {
+    const std::size_t part = camera_.part_of(replicate());
     auto sample = tile.samples.begin();
-    for (int y = tile.window.y0; y < tile.window.y1; ++y) {
-        for (int x = tile.window.x0; x < tile.window.x1; ++x, ++sample) {
-            const std::size_t pixel = pixel_index(window_, x, y);
-            camera_[pixel] += sample->radiance;
-            ++count_[pixel];
-            if (replicates_) replicates_->add_sample(pixel, sample->radiance);
-            if (surface_.empty() || !sample->hit) continue;
-            SurfaceSums& sums = surface_[pixel];
-            sums.hits += 1;
-            sums.depth += sample->depth;
-            sums.normal += sample->normal;
-            sums.albedo += sample->albedo;
+    while (sample != tile.samples.end()) {
+        for (int y = tile.window.y0; y < tile.window.y1; ++y) {
+            for (int x = tile.window.x0; x < tile.window.x1; ++x, ++sample) {
+                const std::size_t pixel = pixel_index(window_, x, y);
+                camera_.add(part, pixel, *sample);
+                if (replicates_) replicates_->add_sample(pixel, sample->radiance);
+            }
         }
     }
 }
@@ -68,14 +68,14 @@ void Film::add_splat(const Splat& splat) {
 }
 
 void Film::end_pass() {
+    camera_.end_pass(replicate());
     ++statistics_.passes;
     if (replicates_) replicates_->end_pass(pass_light_paths_);
     pass_light_paths_ = 0;
 }
 
 Rgb Film::color(std::size_t pixel) const {
-    Rgb value;
-    if (count_[pixel] > 0) value += camera_[pixel] / count_[pixel];
+    Rgb value = camera_.radiance(pixel) / camera_.samples(pixel);
     if (!splat_.empty()) value += splat_[pixel] / static_cast<double>(statistics_.light_paths);
     return value;
 }
@@ -84,31 +84,34 @@ bool Film::shows_error() const { return replicates_ && replicates_->passes() >= 
 
 RelativeError Film::relative_error() const { return {*replicates_, window_.x1 - window_.x0}; }
 
+CameraNoise Film::camera_noise(std::uint64_t half) const { return {*replicates_, window_, half}; }
+
 void Film::fill(Aov aov, std::span<float> out) const {
-    for (std::size_t pixel = 0; pixel < camera_.size(); ++pixel) {
-        const double samples = std::max<std::uint32_t>(count_[pixel], 1);
+    for (std::size_t pixel = 0; pixel < camera_.pixels(); ++pixel) {
         switch (aov) {
             case Aov::Color:
                 store(out, pixel, color(pixel));
                 break;
             case Aov::Alpha:
-                store(out, pixel, surface_[pixel].hits / samples);
+                store(out, pixel, camera_.surface(pixel).hits / camera_.samples(pixel));
                 break;
-            case Aov::Depth:
+            case Aov::Depth: {
+                const CameraSums::Surface surface = camera_.surface(pixel);
                 store(out, pixel,
-                      surface_[pixel].hits > 0 ? surface_[pixel].depth / surface_[pixel].hits
-                                               : std::numeric_limits<double>::infinity());
+                      surface.hits > 0 ? surface.depth / surface.hits : std::numeric_limits<double>::infinity());
                 break;
+            }
             case Aov::Normal: {
-                const Vec3 n = surface_[pixel].normal / std::max(surface_[pixel].hits, 1.0);
+                const CameraSums::Surface surface = camera_.surface(pixel);
+                const Vec3 n = surface.hits > 0 ? surface.normal / surface.hits : Vec3();
                 store(out, pixel, Rgb(n.x, n.y, n.z));
                 break;
             }
             case Aov::Albedo:
-                store(out, pixel, surface_[pixel].albedo / samples);
+                store(out, pixel, camera_.surface(pixel).albedo / camera_.samples(pixel));
                 break;
             case Aov::SampleCount:
-                store(out, pixel, static_cast<double>(count_[pixel]));
+                store(out, pixel, static_cast<double>(camera_.count(pixel)));
                 break;
             case Aov::Variance:
                 store(out, pixel, replicates_->variance(pixel));
@@ -129,10 +132,10 @@ RenderedImage Film::image() const {
         AovImage& out = image.aovs.emplace_back();
         out.aov = aov;
         out.channels = aov_channels(aov);
-        out.data.resize(camera_.size() * static_cast<std::size_t>(out.channels));
+        out.data.resize(camera_.pixels() * static_cast<std::size_t>(out.channels));
         fill(aov, out.data);
     }
-    image.strategy_images = strategies_.images(count_, statistics_.light_paths);
+    image.strategy_images = strategies_.images(camera_, statistics_.light_paths);
     return image;
 }
 

@@ -8,6 +8,8 @@
 #include <etendue/film_view.h>
 #include <etendue/render_settings.h>
 
+#include "film/camera_noise.h"
+#include "film/camera_sums.h"
 #include "film/film_tile.h"
 #include "film/filter.h"
 #include "film/relative_error.h"
@@ -32,16 +34,12 @@ public:
     [[nodiscard]] bool shows_error() const;
     /// Needs shows_error(); lives no longer than the next add().
     [[nodiscard]] RelativeError relative_error() const;
+    /// Of a half; needs RenderSettings::adaptive and a complete pass of every replicate, and lives no longer than the
+    /// next add().
+    [[nodiscard]] CameraNoise camera_noise(std::uint64_t half) const;
 
 private:
-    /// First-hit sums; kept only when an AOV asks for them.
-    struct SurfaceSums {
-        double hits = 0;
-        double depth = 0;
-        Vec3 normal;
-        Rgb albedo;
-    };
-
+    [[nodiscard]] std::uint64_t replicate() const;
     void add_samples(const FilmTile& tile);
     void add_splat(const Splat& splat);
     [[nodiscard]] Rgb color(std::size_t pixel) const;
@@ -50,11 +48,9 @@ private:
     RenderSettings settings_;
     Filter filter_;
     PixelWindow window_;
-    std::vector<Rgb> camera_;
-    std::vector<Rgb> splat_;  ///< empty until a splat arrives
-    std::vector<std::uint32_t> count_;
-    std::vector<SurfaceSums> surface_;         ///< empty unless asked for
-    std::optional<ReplicateSums> replicates_;  ///< only if variance or an error is asked for
+    CameraSums camera_;
+    std::vector<Rgb> splat_;                   ///< empty until a splat arrives
+    std::optional<ReplicateSums> replicates_;  ///< only if somebody has to know how far they are apart
     StrategyPlanes strategies_;
     std::uint64_t pass_light_paths_ = 0;
     RenderStatistics statistics_;

@@ -40,12 +40,14 @@ struct StrategySample {
 /// What one work unit hands to the film.
 struct FilmTile {
     PixelWindow window;                ///< in full-image pixels
-    std::vector<PixelSample> samples;  ///< row by row
+    std::size_t number = 0;            ///< among the tiles of a pass
+    std::vector<PixelSample> samples;  ///< row by row; then the second ones of all pixels, and so on
     std::vector<Splat> splats;
     std::vector<StrategySample> strategies;  ///< empty unless asked for
     std::uint64_t camera_paths = 0;
     std::uint64_t light_paths = 0;
     std::uint64_t rays = 0;
+    std::uint64_t camera_rays = 0;  ///< those of them that camera samples took
     std::array<std::uint64_t, kInvalidKinds> invalid{};
 
     /// Empties it and keeps the memory.
@@ -54,7 +56,7 @@ struct FilmTile {
         samples.clear();
         splats.clear();
         strategies.clear();
-        camera_paths = light_paths = rays = 0;
+        camera_paths = light_paths = rays = camera_rays = 0;
         invalid = {};
     }
 

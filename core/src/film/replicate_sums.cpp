@@ -5,8 +5,11 @@
 
 namespace etendue {
 
-ReplicateSums::ReplicateSums(std::size_t pixels) : camera_(pixels) {
+ReplicateSums::ReplicateSums(std::size_t pixels, bool uneven) : camera_(pixels) {
     for (std::vector<Rgb>& plane : planes_) plane.resize(pixels);
+    if (!uneven) return;
+    count_.resize(pixels);
+    for (std::vector<std::uint32_t>& counts : counts_) counts.resize(pixels);
 }
 
 void ReplicateSums::add_splat(std::size_t pixel, const Rgb& value) {
@@ -15,18 +18,31 @@ void ReplicateSums::add_splat(std::size_t pixel, const Rgb& value) {
 }
 
 void ReplicateSums::end_pass(std::uint64_t light_paths) {
-    std::vector<Rgb>& plane = planes_[place_of_pass(passes_++).replicate];
+    const std::uint64_t replicate = place_of_pass(passes_++).replicate;
+    std::vector<Rgb>& plane = planes_[replicate];
     for (std::size_t pixel = 0; pixel < plane.size(); ++pixel) plane[pixel] += camera_[pixel];
     std::fill(camera_.begin(), camera_.end(), Rgb());
+    std::vector<std::uint32_t>& counts = counts_[replicate];
+    for (std::size_t pixel = 0; pixel < count_.size(); ++pixel) counts[pixel] += count_[pixel];
+    std::fill(count_.begin(), count_.end(), 0);
     if (splat_.empty()) return;
+    std::vector<Rgb>& splats = count_.empty() ? plane : splats_[replicate];
+    splats.resize(plane.size());
     const double per_light_path = light_paths > 0 ? 1 / static_cast<double>(light_paths) : 0;
-    for (std::size_t pixel = 0; pixel < plane.size(); ++pixel) plane[pixel] += splat_[pixel] * per_light_path;
+    for (std::size_t pixel = 0; pixel < plane.size(); ++pixel) splats[pixel] += splat_[pixel] * per_light_path;
     std::fill(splat_.begin(), splat_.end(), Rgb());
+}
+
+Rgb ReplicateSums::uneven_sum(std::uint64_t replicate, std::size_t pixel) const {
+    if (passes_of(replicate) == 0) return {};
+    Rgb sum = camera_mean(replicate, pixel) * static_cast<double>(passes_of(replicate));
+    if (!splats_[replicate].empty()) sum += splats_[replicate][pixel];
+    return sum;
 }
 
 Rgb ReplicateSums::mean(std::size_t pixel) const {
     Rgb sum;
-    for (const std::vector<Rgb>& plane : planes_) sum += plane[pixel];
+    for (std::uint64_t replicate = 0; replicate < kReplicates; ++replicate) sum += this->sum(replicate, pixel);
     return sum / static_cast<double>(passes_);
 }
 
@@ -37,7 +53,7 @@ Rgb ReplicateSums::variance(std::size_t pixel) const {
     Rgb deviation;
     for (std::uint64_t r = 0; r < replicates; ++r) {
         const auto n = static_cast<double>(passes_of(r));
-        const Rgb off = planes_[r][pixel] / n - center;
+        const Rgb off = sum(r, pixel) / n - center;
         deviation += off * off * n;
     }
     return deviation / (static_cast<double>(replicates - 1) * static_cast<double>(passes_));

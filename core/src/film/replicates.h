@@ -21,4 +21,13 @@ inline std::uint64_t passes_of_replicate(std::uint64_t replicate, std::uint64_t 
     return (passes + kReplicates - 1 - replicate) / kReplicates;
 }
 
+/// Where samples go where the noise is (RenderSettings::adaptive), the replicates form two halves, each of which is
+/// told by the other one how many samples to take (session/sample_plan.h).
+inline constexpr std::uint64_t kHalves = 2;
+
+inline std::uint64_t half_of_replicate(std::uint64_t replicate) { return replicate % kHalves; }
+
+/// The first passes of each replicate have one sample a pixel, wherever later ones go.
+inline constexpr std::uint64_t kEvenRounds = 2;
+
 }  // namespace etendue

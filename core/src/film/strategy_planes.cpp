@@ -9,10 +9,11 @@ namespace {
 
 std::size_t pixel_count(const PixelWindow& window) { return pixel_index(window, window.x0, window.y1); }
 
-/// The pixel of a tile's sample; the tile lists them row by row.
+/// The pixel of a tile's sample, as FilmTile::samples lists them.
 std::size_t pixel_of_sample(const PixelWindow& window, const PixelWindow& tile, std::size_t sample) {
     const auto width = static_cast<std::size_t>(tile.x1 - tile.x0);
-    return pixel_index(window, tile.x0 + static_cast<int>(sample % width), tile.y0 + static_cast<int>(sample / width));
+    const std::size_t pixel = sample % (width * static_cast<std::size_t>(tile.y1 - tile.y0));
+    return pixel_index(window, tile.x0 + static_cast<int>(pixel % width), tile.y0 + static_cast<int>(pixel / width));
 }
 
 void append(std::vector<float>& out, const Rgb& value) {
@@ -21,12 +22,12 @@ void append(std::vector<float>& out, const Rgb& value) {
 
 }  // namespace
 
-StrategyPlanes::StrategyPlanes(std::vector<Strategy> strategies, const PixelWindow& window)
-    : strategies_(std::move(strategies)), window_(window), planes_(strategies_.size()) {}
+StrategyPlanes::StrategyPlanes(std::vector<Strategy> strategies, const PixelWindow& window, std::size_t parts)
+    : strategies_(std::move(strategies)), window_(window), planes_(strategies_.size(), Parts(parts)) {}
 
-void StrategyPlanes::add(const FilmTile& tile, const Filter& filter) {
+void StrategyPlanes::add(const FilmTile& tile, const Filter& filter, std::size_t part) {
     for (const StrategySample& s : tile.strategies) {
-        Plane& plane = planes_[s.plane];
+        Plane& plane = planes_[s.plane][samples_pixels(s.plane) ? part : 0];
         if (plane.weighted.empty()) {
             plane.weighted.resize(pixel_count(window_));
             plane.unweighted.resize(pixel_count(window_));
@@ -43,19 +44,28 @@ void StrategyPlanes::add(const FilmTile& tile, const Filter& filter) {
     }
 }
 
-std::vector<StrategyImage> StrategyPlanes::images(const std::vector<std::uint32_t>& sample_counts,
-                                                  std::uint64_t light_paths) const {
+Rgb StrategyPlanes::pixel(std::size_t strategy, bool weighted, std::size_t pixel, const CameraSums& camera,
+                          std::uint64_t light_paths) const {
+    const bool by_camera = samples_pixels(strategy);
+    Rgb sum;
+    for (std::size_t part = 0; part < planes_[strategy].size(); ++part) {
+        const Plane& plane = planes_[strategy][part];
+        const std::vector<Rgb>& sums = weighted ? plane.weighted : plane.unweighted;
+        // What nothing was taken from has no sum either.
+        if (!sums.empty()) sum += sums[pixel] * (by_camera ? camera.weight(part, pixel) : 1);
+    }
+    if (by_camera) return sum / camera.samples(pixel);
+    return light_paths > 0 ? sum / static_cast<double>(light_paths) : Rgb();
+}
+
+std::vector<StrategyImage> StrategyPlanes::images(const CameraSums& camera, std::uint64_t light_paths) const {
     std::vector<StrategyImage> images;
     for (std::size_t i = 0; i < strategies_.size(); ++i) {
         for (const bool weighted : {true, false}) {
-            const std::vector<Rgb>& sums = weighted ? planes_[i].weighted : planes_[i].unweighted;
             StrategyImage& image = images.emplace_back(StrategyImage{strategies_[i], weighted, {}});
-            image.data.reserve(3 * sample_counts.size());
-            if (sums.empty()) image.data.resize(3 * sample_counts.size());
-            for (std::size_t pixel = 0; pixel < sums.size(); ++pixel) {
-                // What nothing was taken from has no sum either.
-                const auto count = samples_pixels(i) ? sample_counts[pixel] : static_cast<double>(light_paths);
-                append(image.data, count > 0 ? sums[pixel] / count : Rgb());
+            image.data.reserve(3 * camera.pixels());
+            for (std::size_t p = 0; p < camera.pixels(); ++p) {
+                append(image.data, pixel(i, weighted, p, camera, light_paths));
             }
         }
     }

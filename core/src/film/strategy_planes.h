@@ -7,6 +7,7 @@
 #include <etendue/film_view.h>
 #include <etendue/render_settings.h>
 
+#include "film/camera_sums.h"
 #include "film/film_tile.h"
 #include "film/filter.h"
 
@@ -16,12 +17,13 @@ namespace etendue {
 /// (theory.md §2): the two are normalised as the picture's own sums are.
 class StrategyPlanes {
 public:
-    StrategyPlanes(std::vector<Strategy> strategies, const PixelWindow& window);
+    /// `parts`: CameraSums::parts().
+    StrategyPlanes(std::vector<Strategy> strategies, const PixelWindow& window, std::size_t parts);
 
-    void add(const FilmTile& tile, const Filter& filter);
-    /// The images, given the samples of each pixel and the light paths behind the sums.
-    [[nodiscard]] std::vector<StrategyImage> images(const std::vector<std::uint32_t>& sample_counts,
-                                                    std::uint64_t light_paths) const;
+    /// `part`: CameraSums::part_of() the pass.
+    void add(const FilmTile& tile, const Filter& filter, std::size_t part);
+    /// The images, given what the camera samples weigh and the light paths behind the sums.
+    [[nodiscard]] std::vector<StrategyImage> images(const CameraSums& camera, std::uint64_t light_paths) const;
 
 private:
     /// Empty until something arrives.
@@ -30,11 +32,16 @@ private:
         std::vector<Rgb> unweighted;
     };
 
-    [[nodiscard]] bool samples_pixels(std::size_t plane) const { return strategies_[plane].t >= 2; }
+    using Parts = std::vector<Plane>;  ///< a splatting strategy uses one of them
+
+    [[nodiscard]] bool samples_pixels(std::size_t strategy) const { return strategies_[strategy].t >= 2; }
+    /// Splats weigh alike whichever part they came with.
+    [[nodiscard]] Rgb pixel(std::size_t strategy, bool weighted, std::size_t pixel, const CameraSums& camera,
+                            std::uint64_t light_paths) const;
 
     std::vector<Strategy> strategies_;
     PixelWindow window_;
-    std::vector<Plane> planes_;  ///< one for each strategy
+    std::vector<Parts> planes_;  ///< of each strategy
 };
 
 }  // namespace etendue

@@ -14,12 +14,13 @@ public:
     RandomStreams(std::uint64_t seed, std::uint64_t light_paths_per_pass)
         : seed_(seed), light_paths_per_pass_(light_paths_per_pass) {}
 
-    [[nodiscard]] Sampler camera(std::uint64_t pass, std::uint64_t pixel) const {
-        return at_pixel(Use::Camera, pass, pixel);
+    /// `sample`: its number among those that the pass's replicate takes of the pixel.
+    [[nodiscard]] Sampler camera(std::uint64_t pass, std::uint64_t pixel, std::uint64_t sample) const {
+        return at_pixel(Use::Camera, pass, pixel, sample);
     }
     /// For what is joined to a camera path once it stands: it shares no draws with the path itself.
-    [[nodiscard]] Sampler joins(std::uint64_t pass, std::uint64_t pixel) const {
-        return at_pixel(Use::Joins, pass, pixel);
+    [[nodiscard]] Sampler joins(std::uint64_t pass, std::uint64_t pixel, std::uint64_t sample) const {
+        return at_pixel(Use::Joins, pass, pixel, sample);
     }
     [[nodiscard]] Sampler light(std::uint64_t pass, std::uint64_t path) const {
         const PassPlace place = place_of_pass(pass);
@@ -34,9 +35,8 @@ private:
     static std::uint64_t stream(Use use, const PassPlace& place) {
         return place.replicate * kUses + static_cast<std::uint64_t>(use);
     }
-    [[nodiscard]] Sampler at_pixel(Use use, std::uint64_t pass, std::uint64_t pixel) const {
-        const PassPlace place = place_of_pass(pass);
-        return Sampler({seed_, stream(use, place), pixel, place.index});
+    [[nodiscard]] Sampler at_pixel(Use use, std::uint64_t pass, std::uint64_t pixel, std::uint64_t sample) const {
+        return Sampler({seed_, stream(use, place_of_pass(pass)), pixel, sample});
     }
 
     std::uint64_t seed_;

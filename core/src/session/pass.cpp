@@ -34,7 +34,15 @@ std::vector<WorkUnit> cut(const PixelWindow& window, std::uint64_t light_paths) 
 PassRunner::PassRunner(const Integrator& integrator, const PixelWindow& window)
     : integrator_(integrator), units_(cut(window, integrator.light_paths_per_pass())) {}
 
-bool PassRunner::run(std::uint64_t pass, const std::atomic<bool>& stop, const Sink& sink) const {
+std::vector<PixelWindow> PassRunner::tiles() const {
+    std::vector<PixelWindow> tiles;
+    tiles.reserve(units_.size());
+    for (const WorkUnit& unit : units_) tiles.push_back(unit.tile);
+    return tiles;
+}
+
+bool PassRunner::run(std::uint64_t pass, const SamplePlan& plan, const std::atomic<bool>& stop,
+                     const Sink& sink) const {
     const auto in_flight = static_cast<std::size_t>(4 * tbb::this_task_arena::max_concurrency());
     // Units end in their order, so that one has always ended before another one needs its tile.
     std::vector<FilmTile> tiles(in_flight);
@@ -55,7 +63,11 @@ bool PassRunner::run(std::uint64_t pass, const std::atomic<bool>& stop, const Si
         FilmTile& tile = tiles[unit % in_flight];
         WorkUnit work = units_[unit];
         work.pass = pass;
+        const SampleRange range = plan.samples(pass, unit);
+        work.first_sample = range.first;
+        work.samples = range.count;
         tile.reset(work.tile);
+        tile.number = unit;
         integrator_.render(work, tile);
         hand_over.give();
         return unit;

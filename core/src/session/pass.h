@@ -7,6 +7,7 @@
 
 #include "film/film_tile.h"
 #include "integrator/integrator.h"
+#include "session/sample_plan.h"
 
 namespace etendue {
 
@@ -16,9 +17,12 @@ class PassRunner {
 public:
     PassRunner(const Integrator& integrator, const PixelWindow& window);
 
+    /// What each of them covers, in the order in which they reach the sink.
+    [[nodiscard]] std::vector<PixelWindow> tiles() const;
+
     using Sink = std::function<void(const FilmTile&)>;
     /// False when `stop` ended it early; the sink has then seen the first so many tiles.
-    bool run(std::uint64_t pass, const std::atomic<bool>& stop, const Sink& sink) const;
+    bool run(std::uint64_t pass, const SamplePlan& plan, const std::atomic<bool>& stop, const Sink& sink) const;
 
 private:
     const Integrator& integrator_;

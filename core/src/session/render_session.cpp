@@ -21,6 +21,7 @@
 #include "scene/world_origin.h"
 #include "session/error_watch.h"
 #include "session/pass.h"
+#include "session/sample_plan.h"
 #include "session/validate_settings.h"
 #include "util/hand_over.h"
 
@@ -98,6 +99,7 @@ public:
           camera_(off_surfaces(scene_, make_camera(scene, settings_, origin_))),
           integrator_(make_integrator(make_context(scene_, camera_, settings_))),
           runner_(*integrator_, render_window(settings_)),
+          plan_(runner_.tiles()),
           film_(settings_, render_window(settings_), integrator_->image_strategies()),
           watch_(settings_.error_target) {}
 
@@ -215,7 +217,8 @@ private:
 
     void render_passes() {
         for (std::int64_t pass = 0; settings_.samples_per_pixel == 0 || pass < settings_.samples_per_pixel; ++pass) {
-            if (!runner_.run(static_cast<std::uint64_t>(pass), stop_, [this](const FilmTile& tile) {
+            if (places_samples(settings_)) plan_.begin(static_cast<std::uint64_t>(pass), film_);
+            if (!runner_.run(static_cast<std::uint64_t>(pass), plan_, stop_, [this](const FilmTile& tile) {
                     take(tile);
                     hold();
                 })) {
@@ -249,6 +252,7 @@ private:
 
     void take(const FilmTile& tile) {
         const std::lock_guard lock(film_mutex_);
+        plan_.count(static_cast<std::uint64_t>(passes_done_), tile);
         film_.add(tile);
         if (settings_.time_limit > 0 && Clock::now() - begin_ >= std::chrono::duration<double>(settings_.time_limit)) {
             stop_ = true;
@@ -263,6 +267,7 @@ private:
     Camera camera_;
     std::unique_ptr<Integrator> integrator_;
     PassRunner runner_;
+    SamplePlan plan_;
     Film film_;
     ErrorWatch watch_;  ///< changed by the render's thread alone, and then under state_mutex_
 

@@ -43,7 +43,7 @@ TEST(Pass, TilesArriveInOrderFromAnyThread) {
     const std::atomic<bool> stop{false};
     Seen seen;
     arena.execute([&] {
-        EXPECT_TRUE(runner.run(0, stop, [&](const FilmTile& tile) {
+        EXPECT_TRUE(runner.run(0, SamplePlan(runner.tiles()), stop, [&](const FilmTile& tile) {
             seen.tiles.push_back(tile.window);
             seen.light_paths += tile.light_paths;
         }));
@@ -62,7 +62,10 @@ TEST(Pass, StoppedPassesAreBeginnings) {
     std::atomic<bool> stop{false};
     std::size_t tiles = 0;
     tbb::task_arena arena(2);
-    arena.execute([&] { EXPECT_FALSE(runner.run(0, stop, [&](const FilmTile&) { stop = ++tiles == 3 || stop; })); });
+    arena.execute([&] {
+        EXPECT_FALSE(
+            runner.run(0, SamplePlan(runner.tiles()), stop, [&](const FilmTile&) { stop = ++tiles == 3 || stop; }));
+    });
     EXPECT_GE(tiles, 3U);
     EXPECT_LT(tiles, kUnits);
 }

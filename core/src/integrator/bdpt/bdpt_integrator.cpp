@@ -9,6 +9,10 @@
 namespace etendue {
 namespace {
 
+std::uint64_t pixel_count(const PixelWindow& window) {
+    return static_cast<std::uint64_t>(window.x1 - window.x0) * static_cast<std::uint64_t>(window.y1 - window.y0);
+}
+
 /// Measured on the stages by efficiency: caustics want many light subpaths, and nothing else wants one by the pixel.
 double light_paths_per_pixel(const RenderContext& context, bool camera_paths) {
     if (const auto& asked = context.settings.light_paths_per_pixel) return *asked;
@@ -17,8 +21,7 @@ double light_paths_per_pixel(const RenderContext& context, bool camera_paths) {
 }
 
 std::uint64_t count_light_paths(const RenderContext& context, bool camera_paths) {
-    const PixelWindow& w = context.window;
-    const double pixels = static_cast<double>(w.x1 - w.x0) * (w.y1 - w.y0);
+    const auto pixels = static_cast<double>(pixel_count(context.window));
     const double wanted = pixels * light_paths_per_pixel(context, camera_paths);
     // The smallest crop has one: without any, what only light paths see would be missing.
     return wanted > 0 ? static_cast<std::uint64_t>(std::max(1LL, std::llround(wanted))) : 0;
@@ -65,25 +68,27 @@ void BdptIntegrator::render(const WorkUnit& unit, FilmTile& tile) const {
     thread_local LightSubpath light;
     thread_local CameraSubpath camera;
     light.clear();
-    const std::uint64_t pixels = static_cast<std::uint64_t>(unit.tile.x1 - unit.tile.x0) *
-                                 static_cast<std::uint64_t>(unit.tile.y1 - unit.tile.y0);
+    const std::uint64_t pixels = pixel_count(unit.tile);
+    tile.samples.resize(pixels * unit.samples);
     const std::uint64_t paths = unit.light_end - unit.light_begin;
-    if (paths == 0 && active_.connection) {
+    if (paths == 0 && active_.connection && unit.samples > 0) {
         // Fewer light paths than units: this one's camera paths are joined to the path that another unit splats.
         Sampler sampler = streams_.light(unit.pass, unit.light_begin);
         tracer_.trace_light(sampler, light, tile.rays);
     }
-    std::uint64_t pixel = 0;
     std::uint64_t traced = 0;
-    for (int y = unit.tile.y0; y < unit.tile.y1; ++y) {
-        for (int x = unit.tile.x0; x < unit.tile.x1; ++x, ++pixel) {
-            // Light paths are spread over the pixels, rounded up so that the first has one; a camera path is joined to
-            // the latest.
-            const std::uint64_t wanted = (paths * (pixel + 1) + pixels - 1) / pixels;
-            trace_light_paths(unit, unit.light_begin + traced, unit.light_begin + wanted, light, tile);
-            traced = wanted;
-            sample_camera(x, y, unit.pass, light, camera, tile);
+    for (std::uint64_t pixel = 0; pixel < pixels; ++pixel) {
+        // Light paths are spread over the pixels, rounded up so that the first has one; a camera path is joined to the
+        // latest. The samples of one pixel are joined to different ones: each sweep over the tile is at another place.
+        const std::uint64_t wanted = (paths * (pixel + 1) + pixels - 1) / pixels;
+        trace_light_paths(unit, unit.light_begin + traced, unit.light_begin + wanted, light, tile);
+        traced = wanted;
+        const std::uint64_t rays = tile.rays;
+        for (std::uint64_t sweep = 0; sweep < unit.samples; ++sweep) {
+            const std::uint64_t ahead = sweep * pixels / unit.samples;
+            sample_camera(unit, sweep * pixels + (pixel + ahead) % pixels, light, camera, tile);
         }
+        tile.camera_rays += tile.rays - rays;
     }
 }
 
@@ -107,26 +112,27 @@ void BdptIntegrator::splat_light_path(const LightSubpath& path, Sampler& sampler
     }
 }
 
-void BdptIntegrator::sample_camera(int x, int y, std::uint64_t pass, const LightSubpath& light, CameraSubpath& camera,
-                                   FilmTile& tile) const {
-    PixelSample sample;
-    if (active_.needs_camera_paths() || context_.wants_surface) {
-        Sampler sampler = streams_.camera(pass, pixel_number(context_, x, y));
-        const Vec2 offset = context_.filter.sample(sampler.next_2d());
-        const Vec2 raster{x + 0.5 + offset.x, y + 0.5 + offset.y};
-        ++tile.camera_paths;
-        if (!active_.needs_camera_paths()) {
-            record_surface(context_, first_surface(raster, sampler, tile), sample);
-            tile.samples.push_back(sample);
-            return;
-        }
-        tracer_.trace_camera(raster, sampler, camera, tile.rays);
-        const auto first = camera.vertices.empty() ? std::nullopt : std::optional(camera.vertices.front().si);
-        record_surface(context_, first, sample);
-        Sampler joins = streams_.joins(pass, pixel_number(context_, x, y));
-        add_camera_strategies(camera, light, joins, sample, tile);
+void BdptIntegrator::sample_camera(const WorkUnit& unit, std::size_t sample, const LightSubpath& light,
+                                   CameraSubpath& camera, FilmTile& tile) const {
+    if (!active_.needs_camera_paths() && !context_.wants_surface) return;
+    const std::size_t pixel = sample % pixel_count(unit.tile);
+    const std::uint64_t number = unit.first_sample + sample / pixel_count(unit.tile);
+    const auto width = static_cast<std::size_t>(unit.tile.x1 - unit.tile.x0);
+    const int x = unit.tile.x0 + static_cast<int>(pixel % width);
+    const int y = unit.tile.y0 + static_cast<int>(pixel / width);
+    Sampler sampler = streams_.camera(unit.pass, pixel_number(context_, x, y), number);
+    const Vec2 offset = context_.filter.sample(sampler.next_2d());
+    const Vec2 raster{x + 0.5 + offset.x, y + 0.5 + offset.y};
+    ++tile.camera_paths;
+    if (!active_.needs_camera_paths()) {
+        record_surface(context_, first_surface(raster, sampler, tile), tile.samples[sample]);
+        return;
     }
-    tile.samples.push_back(sample);
+    tracer_.trace_camera(raster, sampler, camera, tile.rays);
+    const auto first = camera.vertices.empty() ? std::nullopt : std::optional(camera.vertices.front().si);
+    record_surface(context_, first, tile.samples[sample]);
+    Sampler joins = streams_.joins(unit.pass, pixel_number(context_, x, y), number);
+    add_camera_strategies(camera, light, joins, sample, tile);
 }
 
 std::optional<SurfaceInteraction> BdptIntegrator::first_surface(const Vec2& raster, Sampler& sampler,
@@ -137,7 +143,7 @@ std::optional<SurfaceInteraction> BdptIntegrator::first_surface(const Vec2& rast
 }
 
 void BdptIntegrator::add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Sampler& sampler,
-                                           PixelSample& sample, FilmTile& tile) const {
+                                           std::size_t sample, FilmTile& tile) const {
     const int longest = context_.settings.max_depth + 2;  // s + t
     for (std::size_t i = 0; i < camera.vertices.size(); ++i) {
         const Vertex& z = camera.vertices[i];
@@ -164,13 +170,12 @@ Rgb BdptIntegrator::weigh(const Contribution& c, int s, int t) const {
     return single->s == s && single->t == t ? c.value : Rgb{};
 }
 
-void BdptIntegrator::add(const std::optional<Contribution>& c, int s, int t, PixelSample& sample,
-                         FilmTile& tile) const {
+void BdptIntegrator::add(const std::optional<Contribution>& c, int s, int t, std::size_t sample, FilmTile& tile) const {
     if (!c) return;
     const Rgb value = weigh(*c, s, t);
     if (!tile.accept(value)) return;
-    sample.radiance += value;
-    if (images_) images_->add_sample(*c, s, t, tile);
+    tile.samples[sample].radiance += value;
+    if (images_) images_->add_sample(*c, s, t, sample, tile);
 }
 
 void BdptIntegrator::splat(const std::optional<Contribution>& c, int s, int t, FilmTile& tile) const {

@@ -29,15 +29,16 @@ private:
     void trace_light_paths(const WorkUnit& unit, std::uint64_t begin, std::uint64_t end, LightSubpath& path,
                            FilmTile& tile) const;
     void splat_light_path(const LightSubpath& path, Sampler& sampler, FilmTile& tile) const;
-    void sample_camera(int x, int y, std::uint64_t pass, const LightSubpath& light, CameraSubpath& camera,
+    /// `sample`: which one of the tile's.
+    void sample_camera(const WorkUnit& unit, std::size_t sample, const LightSubpath& light, CameraSubpath& camera,
                        FilmTile& tile) const;
     [[nodiscard]] std::optional<SurfaceInteraction> first_surface(const Vec2& raster, Sampler& sampler,
                                                                   FilmTile& tile) const;
     void add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Sampler& sampler,
-                               PixelSample& sample, FilmTile& tile) const;
+                               std::size_t sample, FilmTile& tile) const;
     /// The contribution as the settings ask for it: weighted, or one strategy alone, unweighted.
     [[nodiscard]] Rgb weigh(const Contribution& c, int s, int t) const;
-    void add(const std::optional<Contribution>& c, int s, int t, PixelSample& sample, FilmTile& tile) const;
+    void add(const std::optional<Contribution>& c, int s, int t, std::size_t sample, FilmTile& tile) const;
     void splat(const std::optional<Contribution>& c, int s, int t, FilmTile& tile) const;
 
     RenderContext context_;

@@ -35,8 +35,8 @@ std::optional<std::size_t> StrategyImages::plane(int s, int t) const {
     return planes_[slot(s, t)];
 }
 
-void StrategyImages::add_sample(const Contribution& c, int s, int t, FilmTile& tile) const {
-    if (const auto p = plane(s, t)) tile.strategies.push_back({*p, tile.samples.size(), {}, c.value, c.weight});
+void StrategyImages::add_sample(const Contribution& c, int s, int t, std::size_t sample, FilmTile& tile) const {
+    if (const auto p = plane(s, t)) tile.strategies.push_back({*p, sample, {}, c.value, c.weight});
 }
 
 void StrategyImages::add_splat(const Contribution& c, int s, int t, FilmTile& tile) const {

@@ -22,8 +22,8 @@ public:
     /// By path length, then s.
     [[nodiscard]] const std::vector<Strategy>& strategies() const { return strategies_; }
 
-    /// t >= 2: belongs to the camera sample that the tile takes next.
-    void add_sample(const Contribution& c, int s, int t, FilmTile& tile) const;
+    /// t >= 2: belongs to that one of the tile's camera samples.
+    void add_sample(const Contribution& c, int s, int t, std::size_t sample, FilmTile& tile) const;
     /// t <= 1.
     void add_splat(const Contribution& c, int s, int t, FilmTile& tile) const;
 

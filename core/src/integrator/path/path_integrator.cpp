@@ -25,18 +25,21 @@ PathIntegrator::PathIntegrator(const RenderContext& context)
     : context_(context), heuristic_(context.settings.heuristic), streams_(context.settings.seed, 0) {}
 
 void PathIntegrator::render(const WorkUnit& unit, FilmTile& tile) const {
-    if (context_.scene.absorbs()) {
-        sample_pixels<true>(unit, tile);
-    } else {
-        sample_pixels<false>(unit, tile);
+    for (std::uint64_t i = unit.first_sample; i < unit.first_sample + unit.samples; ++i) {
+        if (context_.scene.absorbs()) {
+            sample_pixels<true>(unit, i, tile);
+        } else {
+            sample_pixels<false>(unit, i, tile);
+        }
     }
+    tile.camera_rays = tile.rays;
 }
 
 template <bool Absorbs>
-void PathIntegrator::sample_pixels(const WorkUnit& unit, FilmTile& tile) const {
+void PathIntegrator::sample_pixels(const WorkUnit& unit, std::uint64_t number, FilmTile& tile) const {
     for (int y = unit.tile.y0; y < unit.tile.y1; ++y) {
         for (int x = unit.tile.x0; x < unit.tile.x1; ++x) {
-            Sampler sampler = streams_.camera(unit.pass, pixel_number(context_, x, y));
+            Sampler sampler = streams_.camera(unit.pass, pixel_number(context_, x, y), number);
             const Vec2 offset = context_.filter.sample(sampler.next_2d());
             tile.samples.push_back(sample_pixel<Absorbs>({x + 0.5 + offset.x, y + 0.5 + offset.y}, sampler, tile));
             ++tile.camera_paths;

@@ -22,7 +22,7 @@ private:
 
     // Absorbs: bodies absorb light inside them; who has none pays nothing for those who do.
     template <bool Absorbs>
-    void sample_pixels(const WorkUnit& unit, FilmTile& tile) const;
+    void sample_pixels(const WorkUnit& unit, std::uint64_t number, FilmTile& tile) const;
     template <bool Absorbs>
     [[nodiscard]] PixelSample sample_pixel(const Vec2& raster, Sampler& sampler, FilmTile& tile) const;
     void add_emission(const SurfaceInteraction& si, const Walk& walk, PixelSample& sample, FilmTile& tile) const;
