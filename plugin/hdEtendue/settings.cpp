@@ -26,6 +26,7 @@ constexpr Setting kSamples{"etendue:samplesPerPixel", "Samples per pixel", "HDET
 constexpr Setting kTimeLimit{"etendue:timeLimit", "Time limit (seconds, 0: none)", "HDETENDUE_TIME_LIMIT"};
 constexpr Setting kErrorTarget{"etendue:errorTarget", "Relative error that is good enough (0: none)",
                                "HDETENDUE_ERROR_TARGET"};
+constexpr Setting kAdaptive{"etendue:adaptive", "Samples go where the noise is", "HDETENDUE_ADAPTIVE"};
 constexpr Setting kMaxDepth{"etendue:maxDepth", "Maximum bounces", "HDETENDUE_MAX_DEPTH"};
 constexpr Setting kSeed{"etendue:seed", "Seed", "HDETENDUE_SEED"};
 constexpr Setting kThreads{"etendue:threads", "Threads (0: all)", "HDETENDUE_THREADS"};
@@ -105,6 +106,7 @@ HdRenderSettingDescriptorList setting_descriptors() {
             whole(kSamples, defaults.samples_per_pixel),
             real(kTimeLimit, defaults.time_limit),
             real(kErrorTarget, defaults.error_target),
+            flag(kAdaptive, defaults.adaptive),
             whole(kMaxDepth, defaults.max_depth),
             whole(kSeed, 0),
             whole(kThreads, defaults.threads),
@@ -124,6 +126,7 @@ RenderSettings render_settings(const HdRenderDelegate& delegate) {
     settings.samples_per_pixel = samples_per_pixel(delegate, settings.samples_per_pixel);
     settings.time_limit = number(delegate, kTimeLimit, settings.time_limit);
     settings.error_target = number(delegate, kErrorTarget, settings.error_target);
+    settings.adaptive = number(delegate, kAdaptive, settings.adaptive ? 1 : 0) != 0;
     settings.max_depth = whole_number(delegate, kMaxDepth, settings.max_depth);
     settings.seed = whole_number(delegate, kSeed, settings.seed);
     settings.threads = whole_number(delegate, kThreads, settings.threads);

@@ -78,6 +78,7 @@ void bind_render_settings(py::module_& module) {
         .def_readwrite("samples_per_pixel", &RenderSettings::samples_per_pixel)
         .def_readwrite("time_limit", &RenderSettings::time_limit)
         .def_readwrite("error_target", &RenderSettings::error_target)
+        .def_readwrite("adaptive", &RenderSettings::adaptive)
         .def_readwrite("max_depth", &RenderSettings::max_depth)
         .def_readwrite("seed", &RenderSettings::seed)
         .def_readwrite("threads", &RenderSettings::threads)

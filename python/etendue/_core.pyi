@@ -814,6 +814,7 @@ class RenderSettings:
         samples_per_pixel: int = ...,
         time_limit: float = ...,
         error_target: float = ...,
+        adaptive: bool = ...,
         max_depth: int = ...,
         seed: int = ...,
         threads: int = ...,
@@ -836,6 +837,7 @@ class RenderSettings:
     samples_per_pixel: int
     time_limit: float
     error_target: float
+    adaptive: bool
     max_depth: int
     seed: int
     threads: int

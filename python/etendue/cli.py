@@ -140,6 +140,9 @@ def render(
             help="Relative error that is good enough, from the picture's own noise: 0.05 for 5 %."
         ),
     ] = None,
+    adaptive: Annotated[
+        bool, typer.Option("--adaptive", help="Samples go where the noise is (path, bdpt).")
+    ] = False,
     integrator: Annotated[str, typer.Option(help="|".join(INTEGRATORS))] = "bdpt",
     max_depth: Annotated[
         int | None,
@@ -192,6 +195,7 @@ def render(
         spp=spp,
         time=time,
         error=error,
+        adaptive=adaptive,
         integrator=integrator,
         max_depth=max_depth,
         seed=seed,

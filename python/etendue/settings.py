@@ -46,6 +46,8 @@ class RenderOptions(TypedDict, total=False):
         RenderStatistics.error estimates it from the picture's own noise. It is looked at now and
         then from the 16th sample on. What a finite max_depth leaves out, and what is too rare for
         any sample so far, is no noise and not in it.
+    adaptive: places the samples of path and bdpt where the noise is, tile by tile, from the 17th per
+        pixel on; without bias. Default False. light has none to place and stays as it is.
     integrator: "path", "light" or "bdpt" (default).
     max_depth: bounces; 0 shows emission only. Default 16.
     seed: the same seed gives the same image, whatever the number of threads.
@@ -72,6 +74,7 @@ class RenderOptions(TypedDict, total=False):
     time: float | None
     error: float | None
     integrator: str
+    adaptive: bool
     max_depth: int | None
     seed: int
     threads: int
@@ -100,6 +103,7 @@ def render_settings(
 
     settings.integrator = _choice("integrator", options.get("integrator", "bdpt"), INTEGRATORS)
     _set_limits(settings, options)
+    settings.adaptive = options.get("adaptive", settings.adaptive)
     max_depth = options.get("max_depth")
     if max_depth is not None:
         settings.max_depth = _at_least("max_depth", max_depth, 0)
