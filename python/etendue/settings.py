@@ -46,8 +46,8 @@ class RenderOptions(TypedDict, total=False):
         RenderStatistics.error estimates it from the picture's own noise. It is looked at now and
         then from the 16th sample on. What a finite max_depth leaves out, and what is too rare for
         any sample so far, is no noise and not in it.
-    adaptive: places the samples of path and bdpt where the noise is, tile by tile, from the 17th per
-        pixel on; without bias. Default False. light has none to place and stays as it is.
+    adaptive: places the samples of path and bdpt where the noise is, tile by tile, from the 17th
+        per pixel on; without bias. Default False. light has none to place and stays as it is.
     integrator: "path", "light" or "bdpt" (default).
     max_depth: bounces; 0 shows emission only. Default 16.
     seed: the same seed gives the same image, whatever the number of threads.
