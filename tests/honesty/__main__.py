@@ -2,7 +2,8 @@
 
 Renders stages with `--error` targets and many seeds, and holds the relMSE that each claims against
 the one it has, by a long reference. Then renders them with every preset, and measures what each
-takes and gives. With --write the tables go into README.md beside this file.
+takes and gives; and what it gains to place samples where the noise is. With --write the tables go
+into README.md beside this file.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from honesty import presets
+from honesty import gain, presets
 from honesty.cases import BAR, CASES, Case
 from honesty.claims import Claims, claims, open_stage, percent, reference
 from support.machine import machine
@@ -71,7 +72,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("stages", nargs="*", help="names; default all")
     parser.add_argument("--seeds", type=int, default=SEEDS, help="of the claims' table")
-    parser.add_argument("--table", choices=("claims", "dial", "presets"), help="one of them")
+    parser.add_argument(
+        "--table", choices=("claims", "dial", "presets", "adaptive"), help="one of them"
+    )
     parser.add_argument("--write", action="store_true", help="put the table into README.md")
     args = parser.parse_args()
     if args.write and (args.stages or args.seeds != SEEDS):
@@ -81,6 +84,7 @@ def main() -> None:
         "claims": (HEAD, rows(cases, args.seeds)),
         "dial": (presets.DIAL_HEAD, presets.dial()),
         "presets": (presets.HEAD, presets.rows([case.stage for case in cases])),
+        "adaptive": (gain.HEAD, gain.rows(args.stages or list(gain.STAGES))),
     }
     for name in [args.table] if args.table else tables:
         head, found = tables[name]

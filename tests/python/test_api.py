@@ -196,6 +196,17 @@ def test_error_target(stage: etendue.Stage) -> None:
     assert brief.seconds >= 0.2
 
 
+@pytest.mark.parametrize(
+    ("integrator", "places"), [("path", True), ("bdpt", True), ("light", False)]
+)
+def test_adaptive(stage: etendue.Stage, integrator: str, places: bool) -> None:
+    options: Any = {"resolution": (64, 48), "spp": 24, "integrator": integrator}
+    counts = stage.render(**options, adaptive=True, aovs=["sample_count"])["sample_count"]
+    assert (counts.min() < counts.max()) == places
+    even = stage.render(**options, aovs=["sample_count"])["sample_count"]
+    assert even.min() == even.max() == 24
+
+
 def test_error_is_unknown_unless_asked_for(stage: etendue.Stage) -> None:
     image = stage.render(resolution=(16, 12), spp=8)
     assert image.statistics.error == np.inf

@@ -86,6 +86,13 @@ def test_render_strategy_images(file: Path, tmp_path: Path) -> None:
     ]
 
 
+def test_render_adaptively(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Such renders know their error."""
+    render = ["render", str(file), "-o", str(tmp_path / "a.exr"), "--resolution", "8x6"]
+    assert cli.run([*render, "--spp", "17", "--adaptive"]) == 0
+    assert re.search(r"wrote .*17 spp, error \S+%", capsys.readouterr().err)
+
+
 def test_render_png(file: Path, tmp_path: Path) -> None:
     out = tmp_path / "a.png"
     options = ["--bits", "16", "--crop", "1,2,9,10", "--integrator", "path", "--threads", "1"]
