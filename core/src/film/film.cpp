@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "film/asks_for.h"
 #include "film/splat_footprint.h"
+#include "util/asks_for.h"
 
 namespace etendue {
 namespace {
@@ -78,6 +78,14 @@ Rgb Film::color(std::size_t pixel) const {
     if (count_[pixel] > 0) value += camera_[pixel] / count_[pixel];
     if (!splat_.empty()) value += splat_[pixel] / static_cast<double>(statistics_.light_paths);
     return value;
+}
+
+std::size_t Film::memory_used(bool light_paths) const {
+    const std::size_t plane = camera_.size() * sizeof(Rgb);
+    const std::size_t splats = light_paths ? plane : 0;
+    const std::size_t replicates = replicates_ ? kReplicates * plane + plane + splats : 0;
+    return plane + splats + count_.size() * sizeof(count_[0]) + surface_.size() * sizeof(SurfaceSums) + replicates +
+           strategies_.memory_used();
 }
 
 bool Film::shows_error() const { return replicates_ && replicates_->passes() >= kReplicates; }

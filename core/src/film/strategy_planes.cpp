@@ -24,6 +24,8 @@ void append(std::vector<float>& out, const Rgb& value) {
 StrategyPlanes::StrategyPlanes(std::vector<Strategy> strategies, const PixelWindow& window)
     : strategies_(std::move(strategies)), window_(window), planes_(strategies_.size()) {}
 
+std::size_t StrategyPlanes::memory_used() const { return strategies_.size() * 2 * pixel_count(window_) * sizeof(Rgb); }
+
 void StrategyPlanes::add(const FilmTile& tile, const Filter& filter) {
     for (const StrategySample& s : tile.strategies) {
         Plane& plane = planes_[s.plane];

@@ -23,6 +23,9 @@ public:
     [[nodiscard]] std::vector<StrategyImage> images(const std::vector<std::uint32_t>& sample_counts,
                                                     std::uint64_t light_paths) const;
 
+    /// Bytes, once all of them have arrived.
+    [[nodiscard]] std::size_t memory_used() const;
+
 private:
     /// Empty until something arrives.
     struct Plane {

@@ -53,6 +53,8 @@ void validate_settings(const RenderSettings& settings, const SceneDescription& s
                 settings.strategies.direct_light,
             "without light paths only the strategies of the camera remain, and they are switched off");
     require(settings.integrator != IntegratorKind::Light || light_paths > 0, "the light integrator needs light paths");
+    require(settings.texture_memory > 0 && std::isfinite(settings.texture_memory),
+            "the texture memory must be positive");
     require(settings.threads >= 0, "the number of threads must not be negative");
     require(light_paths >= 0 && std::isfinite(light_paths), "light paths per pixel must not be negative");
     require(light_paths <= kMostLightPathsPerPixel, "too many light paths per pixel");

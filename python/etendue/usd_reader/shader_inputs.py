@@ -56,9 +56,9 @@ class ShaderInputs:
                 f"'{source.output}'; the texture's rgb is used",
             )
         read = self._textures.read(source, multiplier=multiplier)
-        self._use_st(read.st)
         if read.index < 0:
             return _core.ColorInput(value=read.fallback[:3])
+        self._use_st(read.st)
         return _core.ColorInput(texture=read.index)
 
     def number(self, name: str, default: _core.FloatInput) -> _core.FloatInput:
@@ -72,10 +72,10 @@ class ShaderInputs:
             self._warn_node(source, name)
             return default
         read = self._textures.read(source)
-        self._use_st(read.st)
         channel = _CHANNELS.get(source.output, 0)
         if read.index < 0:
             return _core.FloatInput(value=read.fallback[channel])
+        self._use_st(read.st)
         return _core.FloatInput(texture=read.index, channel=channel)
 
     def constant(self, name: str, default: Any) -> Any:
@@ -97,7 +97,8 @@ class ShaderInputs:
             self._warn_node(source, name)
             return -1
         read = self._textures.read(source, data=True, unpack_normal=unpack)
-        self._use_st(read.st)
+        if read.index >= 0:
+            self._use_st(read.st)
         return read.index
 
     def is_authored(self, name: str, default: float | Sequence[float]) -> bool:
