@@ -45,6 +45,11 @@ inline std::vector<std::int32_t> indices_from_array(const pybind11::array& array
     if (array.dtype().kind() != 'i' && array.dtype().kind() != 'u') {
         throw pybind11::value_error("expected an array of integers");
     }
+    if (array.dtype().is(pybind11::dtype::of<std::int32_t>())) {
+        // As they come from USD: nothing to check, and no copy of twice the size.
+        const auto same = pybind11::array_t<std::int32_t, pybind11::array::c_style>::ensure(array);
+        return {same.data(), same.data() + same.size()};
+    }
     const auto wide =
         pybind11::array_t<std::int64_t, pybind11::array::c_style | pybind11::array::forcecast>::ensure(array);
     std::vector<std::int32_t> indices(static_cast<std::size_t>(wide.size()));

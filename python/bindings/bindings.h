@@ -10,6 +10,7 @@ void bind_error(pybind11::module_& module);
 void bind_version(pybind11::module_& module);
 void bind_scene_description(pybind11::module_& module);
 void bind_render_settings(pybind11::module_& module);
+void bind_requirements(pybind11::module_& module);
 void bind_film_view(pybind11::module_& module);
 void bind_render_session(pybind11::module_& module);
 void bind_display(pybind11::module_& module);

@@ -7,6 +7,7 @@ PYBIND11_MODULE(_core, module) {
     bindings::bind_error(module);
     bindings::bind_scene_description(module);
     bindings::bind_render_settings(module);
+    bindings::bind_requirements(module);
     bindings::bind_film_view(module);
     bindings::bind_render_session(module);
     bindings::bind_display(module);

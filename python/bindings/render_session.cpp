@@ -60,14 +60,16 @@ private:
 /// included (the render thread may be waiting for the GIL to report progress).
 class Session {
 public:
-    Session(const SceneDescription& scene, const RenderSettings& settings, std::optional<py::function> callback) {
+    Session(SceneDescription& scene, const RenderSettings& settings, std::optional<py::function> callback,
+            bool spend_scene) {
         ProgressCallback forward;
         if (callback) {
             relay_ = std::make_shared<ProgressRelay>(std::move(*callback));
             forward = [relay = relay_](const RenderProgress& progress) { relay->report(progress); };
         }
         const py::gil_scoped_release release;
-        session_ = std::make_unique<RenderSession>(scene, settings, std::move(forward));
+        session_ = spend_scene ? std::make_unique<RenderSession>(std::move(scene), settings, std::move(forward))
+                               : std::make_unique<RenderSession>(std::as_const(scene), settings, std::move(forward));
         if (relay_) relay_->attach(session_.get());
     }
     Session(const Session&) = delete;
@@ -117,6 +119,13 @@ public:
         return session_->snapshot();
     }
 
+    const Requirements& requirements() const { return session_->requirements(); }
+
+    MemoryUse memory_use() const {
+        const py::gil_scoped_release release;
+        return session_->memory_use();
+    }
+
     std::optional<PickedSurface> pick(double x, double y) const {
         const py::gil_scoped_release release;
         return session_->pick(x, y);
@@ -144,14 +153,16 @@ void bind_render_session(py::module_& module) {
         .def_readonly("triangle", &PickedSurface::triangle);
 
     py::class_<Session>(module, "RenderSession")
-        .def(py::init<const SceneDescription&, const RenderSettings&, std::optional<py::function>>(), py::arg("scene"),
-             py::arg("settings"), py::arg("callback") = py::none())
+        .def(py::init<SceneDescription&, const RenderSettings&, std::optional<py::function>, bool>(), py::arg("scene"),
+             py::arg("settings"), py::arg("callback") = py::none(), py::arg("spend_scene") = false)
         .def("start", &Session::start)
         .def("cancel", &Session::cancel)
         .def("wait", &Session::wait)
         .def("wait_for", &Session::wait_for, py::arg("seconds"))
         .def_property_readonly("progress", &Session::progress)
         .def("snapshot", &Session::snapshot)
+        .def_property_readonly("requirements", &Session::requirements)
+        .def_property_readonly("memory_use", &Session::memory_use)
         .def("pick", &Session::pick, py::arg("x"), py::arg("y"));
 }
 

@@ -87,6 +87,7 @@ void bind_render_settings(py::module_& module) {
         .def_readwrite("max_depth", &RenderSettings::max_depth)
         .def_readwrite("seed", &RenderSettings::seed)
         .def_readwrite("threads", &RenderSettings::threads)
+        .def_readwrite("texture_memory", &RenderSettings::texture_memory)
         .def_readwrite("filter", &RenderSettings::filter)
         .def_readwrite("heuristic", &RenderSettings::heuristic)
         .def_readwrite("strategies", &RenderSettings::strategies)

@@ -166,6 +166,14 @@ def render(
     ] = None,
     seed: Annotated[int, typer.Option(help="The same seed gives the same image.")] = 0,
     threads: Annotated[int, typer.Option(help="0: all.")] = 0,
+    texture_memory: Annotated[
+        float | None,
+        typer.Option(
+            metavar="MB",
+            help="Texels that are kept decoded; default "
+            f"{CORE_DEFAULTS.texture_memory:g}. Others are read again when they are needed.",
+        ),
+    ] = None,
     light_paths: Annotated[
         float | None,
         typer.Option(
@@ -213,6 +221,7 @@ def render(
         max_depth=max_depth,
         seed=seed,
         threads=threads,
+        texture_memory=texture_memory,
         light_paths=light_paths,
         filter=pixel_filter,
         aovs=["alpha", *(aov or [])],
@@ -321,7 +330,7 @@ def _render(
     console: Console,
     quiet: bool,
 ) -> Image:
-    session = stage.session(camera, **options)
+    session = stage.session(camera, last=True, **options)
     if quiet:
         return session.run()
     with progress_display(console, session.pixels) as show:

@@ -5,35 +5,55 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
-from pathlib import Path
 
 import numpy as np
 
 from etendue import _core
+from etendue.settings import STRATEGIES, render_settings
 from etendue.usd_reader import StageContents
 
-# Rough bytes in memory per triangle and per instance, with what ray tracing adds to them.
-_BYTES_PER_TRIANGLE = 150
-_BYTES_PER_VERTEX = 32
-_BYTES_PER_INSTANCE = 400
+_LOBES = (
+    "diffuse",
+    "smooth_reflection",
+    "rough_reflection",
+    "smooth_transmission",
+    "rough_transmission",
+    "cutout",
+)
+LIGHTS = ("areas", "emitting_surfaces", "points", "suns", "domes")
+_MACHINERY = (
+    "light_paths",
+    "thin_lens",
+    "absorption",
+    "instances",
+    "first_surface",
+    "replicates",
+)
 
 
 @dataclass(frozen=True)
 class Requirements:
-    """What must exist in a renderer for this stage. Textured inputs count as all their values."""
+    """What has to exist for a render of this stage, by name: nothing else does."""
 
-    smooth_reflection: bool
-    smooth_transmission: bool
-    rough_reflection: bool
-    rough_transmission: bool
-    cutouts: bool
-    textures: bool
-    normal_maps: bool
-    area_lights: bool
-    emitting_surfaces: bool
-    point_lights: bool
-    infinite_lights: bool
-    thin_lens: bool
+    lobes: tuple[str, ...]
+    lights: tuple[str, ...]
+    strategies: tuple[str, ...]  # that can carry light here
+    textures: dict[str, str]  # file, and which of its channels are read, like "rgb"
+    attributes: tuple[str, ...]  # of a hit: "normals", "st", "tangents"
+    aovs: tuple[str, ...]
+    machinery: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Memory:
+    """Bytes held once a render stands ready; Embree takes more for a while as it builds."""
+
+    source: int  # the stage's meshes as they were read; a last render lets go of them
+    vertices: int
+    acceleration: int
+    lights: int
+    textures_limit: int  # 0 without textures
+    film: int
 
 
 @dataclass(frozen=True)
@@ -53,8 +73,9 @@ class Inspection:
     lights: dict[str, int]
     materials: dict[str, int]
     textures: tuple[str, ...]
-    memory_bytes: int
     requirements: Requirements
+    memory: Memory | None
+    memory_unknown: str | None  # why, if it is: the error that a render would end with
     unsupported: tuple[str, ...]
 
     def to_dict(self) -> dict[str, object]:
@@ -63,7 +84,7 @@ class Inspection:
 
 
 def inspect_contents(contents: StageContents) -> Inspection:
-    """Looks at what was read. Texture files are counted by their size on disk."""
+    """Looks at what was read, and gets a render with the stage's settings ready to measure it."""
     scene = contents.scene
     geometries = scene.geometries
     triangles = [_triangles(geometry) for geometry in geometries]
@@ -71,7 +92,12 @@ def inspect_contents(contents: StageContents) -> Inspection:
     placed = Counter(instance.group for instance in scene.instances)
     files = {texture.file for texture in scene.textures}
     files |= {light.texture_file for light in scene.lights if light.texture_file}
-    textures = sorted(files)
+    settings, memory, unknown = _core.RenderSettings(), None, None
+    try:
+        settings = render_settings(contents, None, {})
+        memory = _memory(scene, settings, sum(map(_source_bytes, geometries)))
+    except _core.Error as error:
+        unknown = str(error)
     return Inspection(
         source=contents.source,
         frame=contents.frame,
@@ -86,12 +112,10 @@ def inspect_contents(contents: StageContents) -> Inspection:
         + sum(groups[group] * count for group, count in placed.items()),
         lights=_counts(light.kind.name for light in scene.lights),
         materials=_counts(_name(material.model, "Material") for material in scene.materials),
-        textures=tuple(textures),
-        memory_bytes=sum(triangles) * _BYTES_PER_TRIANGLE
-        + sum(_vertices(geometry) for geometry in geometries) * _BYTES_PER_VERTEX
-        + sum(placed.values()) * _BYTES_PER_INSTANCE
-        + sum(file.stat().st_size for file in map(Path, textures) if file.is_file()),
-        requirements=_requirements(scene),
+        textures=tuple(sorted(files)),
+        requirements=_requirements(scene, settings),
+        memory=memory,
+        memory_unknown=unknown,
         unsupported=tuple(str(warning) for warning in contents.warnings),
     )
 
@@ -112,99 +136,73 @@ def _triangles(geometry: object) -> int:
     return int(np.maximum(counts.astype(np.int64) - 2, 0).sum())
 
 
-def _vertices(geometry: object) -> int:
-    return len(geometry.points) if isinstance(geometry, _core.MeshDesc) else 0
+# ---------------------------------------------------------------------------------------- memory
+
+
+def _source_bytes(geometry: object) -> int:
+    if not isinstance(geometry, _core.MeshDesc):
+        return 0
+    arrays = (
+        geometry.points,
+        geometry.face_vertex_counts,
+        geometry.face_vertex_indices,
+        geometry.normals,
+        geometry.st,
+        geometry.face_materials,
+    )
+    return sum(array.nbytes for array in arrays)
+
+
+def _memory(scene: _core.SceneDescription, settings: _core.RenderSettings, source: int) -> Memory:
+    use = _core.RenderSession(scene, settings).memory_use
+    return Memory(
+        source=source,
+        vertices=use.vertices,
+        acceleration=use.acceleration,
+        lights=use.lights,
+        textures_limit=use.textures_limit,
+        film=use.film,
+    )
 
 
 # ---------------------------------------------------------------------------------- requirements
 
 
-def _requirements(scene: _core.SceneDescription) -> Requirements:
-    lobes = [_lobes(material.model) for material in scene.materials]
-    kinds = {light.kind for light in scene.lights}
-    area_kinds = {
-        _core.LightKind.Rect,
-        _core.LightKind.Disk,
-        _core.LightKind.Sphere,
-        _core.LightKind.Cylinder,
-        _core.LightKind.Mesh,
+def _requirements(scene: _core.SceneDescription, settings: _core.RenderSettings) -> Requirements:
+    needs = _core.find_requirements(scene, settings)
+    used = set(needs.texture_coordinates)
+    tangents = _core.CoordinateUse.Tangents in used
+    attributes = {
+        "normals": needs.normals,
+        "st": tangents or _core.CoordinateUse.Lookup in used,
+        "tangents": tangents,
     }
-    points = [light for light in scene.lights if _is_thin(light)]
-    areas = sum(light.kind in area_kinds for light in scene.lights)
     return Requirements(
-        smooth_reflection=any("smooth reflection" in lobe for lobe in lobes),
-        smooth_transmission=any("smooth transmission" in lobe for lobe in lobes),
-        rough_reflection=any("rough reflection" in lobe for lobe in lobes),
-        rough_transmission=any("rough transmission" in lobe for lobe in lobes),
-        cutouts=any("cutout" in lobe for lobe in lobes),
-        textures=bool(scene.textures) or any(light.texture_file for light in scene.lights),
-        normal_maps=any(material.normal_texture >= 0 for material in scene.materials),
-        area_lights=areas > len(points),
-        emitting_surfaces=any(
-            material.emission.texture >= 0 or any(material.emission.value)
-            for material in scene.materials
-        ),
-        point_lights=bool(points),
-        infinite_lights=bool(kinds & {_core.LightKind.Distant, _core.LightKind.Dome}),
-        thin_lens=any(camera.f_stop > 0 and camera.focus_distance > 0 for camera in scene.cameras),
+        lobes=_true(needs.lobes, _LOBES),
+        lights=_true(needs.lights, LIGHTS),
+        strategies=_true(needs.strategies, STRATEGIES),
+        textures=_channels(scene, needs.textures),
+        attributes=tuple(name for name, needed in attributes.items() if needed),
+        aovs=tuple(_core.aov_name(aov) for aov in needs.aovs),
+        machinery=_true(needs, _MACHINERY),
     )
 
 
-def _is_thin(light: _core.LightDesc) -> bool:
-    """A point or a line."""
-    if light.kind == _core.LightKind.Sphere:
-        return light.treat_as_point or light.radius == 0
-    return light.kind == _core.LightKind.Cylinder and (light.treat_as_line or light.radius == 0)
+def _true(holder: object, names: Iterable[str]) -> tuple[str, ...]:
+    return tuple(name for name in names if getattr(holder, name))
 
 
-def _lobes(model: _core.MaterialModel) -> set[str]:
-    if isinstance(model, _core.DiffuseMaterial):
-        return set()
-    if isinstance(model, _core.ConductorMaterial):
-        return _by_roughness(model.roughness, "reflection")
-    if isinstance(model, _core.DielectricMaterial):
-        return _by_roughness(model.roughness, "reflection", "transmission")
-    if isinstance(model, _core.PreviewSurfaceMaterial):
-        return _preview_lobes(model)
-    if isinstance(model, _core.PhongMaterial):
-        return {"rough reflection"}
-    lobes: set[str] = set()
-    if _may_exceed(model.specular_weight, 0) or _may_exceed(model.base_metalness, 0):
-        lobes |= _by_roughness(model.specular_roughness, "reflection")
-    if _may_exceed(model.transmission_weight, 0):
-        lobes |= _by_roughness(model.specular_roughness, "reflection", "transmission")
-    if _may_exceed(model.coat_weight, 0):
-        lobes |= _by_roughness(model.coat_roughness, "reflection")
-    if _may_be_below(model.geometry_opacity, 1):
-        lobes.add("cutout")
-    return lobes
-
-
-def _preview_lobes(model: _core.PreviewSurfaceMaterial) -> set[str]:
-    lobes = _by_roughness(model.roughness, "reflection")
-    if _may_exceed(model.clearcoat, 0):
-        lobes |= _by_roughness(model.clearcoat_roughness, "reflection")
-    if _may_be_below(model.opacity, 1):
-        presence = model.opacity_mode == _core.PreviewOpacityMode.Presence
-        if presence or model.opacity_threshold > 0:
-            lobes.add("cutout")
-        else:
-            lobes.add("smooth transmission")
-    return lobes
-
-
-def _by_roughness(roughness: _core.FloatInput, *lobes: str) -> set[str]:
-    found = set()
-    if roughness.texture >= 0 or roughness.value <= 0:
-        found |= {f"smooth {lobe}" for lobe in lobes}
-    if _may_exceed(roughness, 0):
-        found |= {f"rough {lobe}" for lobe in lobes}
-    return found
-
-
-def _may_exceed(value: _core.FloatInput, bound: float) -> bool:
-    return value.texture >= 0 or value.value > bound
-
-
-def _may_be_below(value: _core.FloatInput, bound: float) -> bool:
-    return value.texture >= 0 or value.value < bound
+def _channels(scene: _core.SceneDescription, read: list[list[bool]]) -> dict[str, str]:
+    """By file; of several textures of one file, what any of them reads."""
+    files: dict[str, set[str]] = {}
+    for texture, channels in zip(scene.textures, read, strict=True):
+        used = {name for name, on in zip("rgba", channels, strict=True) if on}
+        if used:
+            files.setdefault(texture.file, set()).update(used)
+    for light in scene.lights:
+        if light.texture_file:
+            files.setdefault(light.texture_file, set()).update("rgb")
+    return {
+        file: "".join(name for name in "rgba" if name in used)
+        for file, used in sorted(files.items())
+    }

@@ -9,7 +9,7 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from etendue.inspection import Inspection
+from etendue.inspection import Inspection, Requirements
 
 
 def inspection_table(inspection: Inspection) -> RenderableType:
@@ -26,7 +26,6 @@ def inspection_table(inspection: Inspection) -> RenderableType:
 
 
 def _rows(inspection: Inspection) -> list[tuple[str, str]]:
-    needs = [name.replace("_", " ") for name, on in asdict(inspection.requirements).items() if on]
     settings = inspection.render_settings or "none"
     if inspection.resolution:
         settings += f" ({inspection.resolution[0]}x{inspection.resolution[1]})"
@@ -40,9 +39,40 @@ def _rows(inspection: Inspection) -> list[tuple[str, str]]:
         ("lights", _list(inspection.lights)),
         ("materials", _list(inspection.materials)),
         ("textures", "\n".join(inspection.textures) or "none"),
-        ("memory, roughly", f"{inspection.memory_bytes / 2**20:,.1f} MiB"),
-        ("a render needs", ", ".join(needs) or "diffuse surfaces only"),
+        *_needs(inspection.requirements),
+        ("memory", _memory(inspection)),
     ]
+
+
+def _needs(requirements: Requirements) -> list[tuple[str, str]]:
+    rows = []
+    for part, names in asdict(requirements).items():
+        if part == "textures":
+            names = [f"{file} ({channels})" for file, channels in names.items()]
+        words = ", ".join(name if part == "textures" else name.replace("_", " ") for name in names)
+        rows.append((f"needed {part}", words or "none"))
+    return rows
+
+
+def _memory(inspection: Inspection) -> str:
+    memory = inspection.memory
+    if memory is None:
+        return f"unknown: {inspection.memory_unknown}"
+    parts = {
+        "meshes as read": memory.source,
+        "vertex data": memory.vertices,
+        "BVH": memory.acceleration,
+        "lights": memory.lights,
+        "film": memory.film,
+    }
+    lines = [f"{name}: {_mebibytes(size)}" for name, size in parts.items()]
+    if memory.textures_limit:
+        lines.append(f"textures: at most {_mebibytes(memory.textures_limit)}")
+    return "\n".join(lines)
+
+
+def _mebibytes(size: int) -> str:
+    return f"{size / 2**20:,.2f} MiB"
 
 
 def _list(counts: Mapping[str, int]) -> str:

@@ -32,15 +32,19 @@ class Session:
         settings: _core.RenderSettings,
         metadata: dict[str, str],
         progress: Progress | None = None,
+        *,
+        spend_scene: bool = False,
     ) -> None:
         """Builds the scene. Raises SceneError, SettingsError, FileError.
+
+        `spend_scene`: nobody needs the scene any more, which loses its geometries.
 
         `progress` is called from a render thread; an exception in it cancels the render and is
         raised by wait().
         """
         self._settings = settings
         self._metadata = metadata
-        self._core = _core.RenderSession(scene, settings, progress)
+        self._core = _core.RenderSession(scene, settings, progress, spend_scene)
         # Also at interpreter exit: no render thread may report to an interpreter that is gone.
         weakref.finalize(self, _stop, self._core)
 
@@ -113,6 +117,11 @@ class Session:
         if window is None:
             return self._settings.width * self._settings.height
         return (window.x1 - window.x0) * (window.y1 - window.y0)
+
+    @property
+    def memory_use(self) -> _core.MemoryUse:
+        """What its parts hold."""
+        return self._core.memory_use
 
     @property
     def progress(self) -> _core.RenderProgress:

@@ -55,6 +55,9 @@ class RenderOptions(TypedDict, total=False):
     max_depth: bounces; 0 shows emission only. Default 16.
     seed: the same seed gives the same image, whatever the number of threads.
     threads: 0 (default) means all.
+    texture_memory: megabytes of texels that are kept decoded, default 1024; more are read again
+        when they are needed. An image without tiles (png, jpeg) is one piece, and each thread holds
+        up to eight pieces whatever the limit.
     aovs: names of AOVS; default color and alpha. Color is always there.
     strategy_images: keeps the image of every strategy (s, t), weighted (they sum up to color) and
         unweighted, of paths with up to this many edges (s + t - 1), under names like
@@ -81,6 +84,7 @@ class RenderOptions(TypedDict, total=False):
     max_depth: int | None
     seed: int
     threads: int
+    texture_memory: float | None
     aovs: Iterable[str]
     strategy_images: int
     filter: str
@@ -112,6 +116,9 @@ def render_settings(
         settings.max_depth = _at_least("max_depth", max_depth, 0)
     settings.seed = _at_least("seed", options.get("seed", 0), 0)
     settings.threads = _at_least("threads", options.get("threads", 0), 0)
+    texture_memory = options.get("texture_memory")
+    if texture_memory is not None:
+        settings.texture_memory = _positive("texture_memory", texture_memory, "number of megabytes")
     settings.heuristic = _choice("heuristic", options.get("heuristic", "power"), HEURISTICS)
     settings.filter = _filter(options)
     settings.light_paths_per_pixel = options.get("light_paths")

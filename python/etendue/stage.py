@@ -8,7 +8,7 @@ from typing import Unpack
 from etendue import _core
 from etendue.exceptions import EtendueWarning
 from etendue.image import Image
-from etendue.inspection import Inspection, inspect_contents
+from etendue.inspection import LIGHTS, Inspection, inspect_contents
 from etendue.session import Progress, Session
 from etendue.settings import INTEGRATORS, RenderOptions, render_settings
 from etendue.usd_reader import StageContents, StageLike, StageWarning, read_stage
@@ -19,6 +19,7 @@ class Stage:
 
     def __init__(self, contents: StageContents) -> None:
         self._contents = contents
+        self._spent = False
 
     def __repr__(self) -> str:
         return f"<etendue.Stage {self.source} at frame {self.frame:g}>"
@@ -68,11 +69,18 @@ class Stage:
         camera: str | None = None,
         *,
         progress: Progress | None = None,
+        last: bool = False,
         **options: Unpack[RenderOptions],
     ) -> Session:
-        """A progressive render, not started yet. Arguments and errors: see render()."""
+        """A progressive render, not started yet. Arguments and errors: see render().
+
+        `last`: nothing more is wanted of the stage, whose geometry is let go of before the render
+        needs most memory. It cannot be rendered again.
+        """
+        if self._spent:
+            raise _core.SceneError(f"{self.source}: the stage has been given to its last render")
         settings = render_settings(self._contents, camera, options)
-        self._require_light()
+        self._require_light(settings)
         metadata = {
             "Software": f"Etendue {_core.__version__}",
             "etendue:version": _core.__version__,
@@ -84,7 +92,8 @@ class Stage:
             ),
             "etendue:seed": str(settings.seed),
         }
-        return Session(self._contents.scene, settings, metadata, progress)
+        self._spent = last
+        return Session(self._contents.scene, settings, metadata, progress, spend_scene=last)
 
     def render(
         self,
@@ -104,10 +113,9 @@ class Stage:
         """
         return self.session(camera, progress=progress, **options).run()
 
-    def _require_light(self) -> None:
-        scene = self._contents.scene
-        lit = any(light.intensity > 0 and any(light.color) for light in scene.lights)
-        if not lit and not _emitting_shapes(scene):
+    def _require_light(self, settings: _core.RenderSettings) -> None:
+        lights = _core.find_requirements(self._contents.scene, settings).lights
+        if not any(getattr(lights, kind) for kind in LIGHTS):
             raise _core.SceneError(
                 f"{self.source}: the stage has no light and no emitting surface; "
                 "its picture would be black"
@@ -125,13 +133,3 @@ def open_stage(path_or_stage: StageLike, *, frame: float | None = None) -> Stage
     for warning in stage.warnings:
         warnings.warn(str(warning), EtendueWarning, stacklevel=2)
     return stage
-
-
-def _emitting_shapes(scene: _core.SceneDescription) -> bool:
-    emitting = {
-        index
-        for index, material in enumerate(scene.materials)
-        if material.emission.texture >= 0 or any(value > 0 for value in material.emission.value)
-    }
-    shapes = [*scene.shapes, *(shape for group in scene.groups for shape in group.shapes)]
-    return any(emitting.intersection(shape.materials) for shape in shapes)

@@ -318,7 +318,7 @@ def test_read_only_output_is_refused_before_the_stage_is_read(
 def test_inspect(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.run(["inspect", str(file)]) == 0
     out = capsys.readouterr().out
-    for word in ("/Camera", "1 Sphere", "1 Mesh", "area lights"):
+    for word in ("/Camera", "1 Sphere", "1 Mesh", "areas", "BVH: "):
         assert word in out
 
 
@@ -328,8 +328,9 @@ def test_inspect_json(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert told["cameras"] == ["/Camera"]
     assert told["triangles"] == 2
     assert told["lights"] == {"Sphere": 1}
-    assert told["requirements"]["area_lights"] is True
-    assert told["requirements"]["smooth_transmission"] is False
+    assert told["requirements"]["lights"] == ["areas"]
+    assert told["requirements"]["lobes"] == ["diffuse"]
+    assert told["memory"]["acceleration"] > 0
     assert told["unsupported"] == []
 
 

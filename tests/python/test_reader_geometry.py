@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from pxr import UsdGeom, UsdShade, Vt
+from pxr import Sdf, UsdGeom, UsdShade, Vt
 
 from etendue import _core
 from etendue.usd_reader import StageContents
@@ -18,6 +19,13 @@ def only_mesh(contents: StageContents) -> _core.MeshDesc:
     (mesh,) = contents.scene.geometries
     assert isinstance(mesh, _core.MeshDesc)
     return mesh
+
+
+def wear_texture(build: StageBuilder, mesh: UsdGeom.Mesh, picture: Path) -> None:
+    """Makes the mesh of something that needs texture coordinates."""
+    node = build.node("UsdUVTexture", "/Looks/Texture", file=Sdf.AssetPath(str(picture)))
+    color = node.CreateOutput("rgb", Types.Float3)
+    build.bind(mesh, build.material(path="/Looks", diffuseColor=color))
 
 
 def test_polygon_mesh_is_faceted(build: StageBuilder) -> None:
@@ -98,8 +106,9 @@ def test_primvar_normals_win(build: StageBuilder) -> None:
     np.testing.assert_array_equal(only_mesh(build.read()).normals, [[1, 0, 0]])
 
 
-def test_indexed_primvar(build: StageBuilder) -> None:
+def test_indexed_primvar(build: StageBuilder, picture: Path) -> None:
     mesh = build.quad()
+    wear_texture(build, mesh, picture)
     st = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar("st", Types.TexCoord2fArray, "faceVarying")
     st.Set([(0, 0), (1, 1)])
     st.SetIndices([0, 1, 1, 0])
@@ -108,8 +117,9 @@ def test_indexed_primvar(build: StageBuilder) -> None:
     assert read.st_interpolation == _core.Interpolation.FaceVarying
 
 
-def test_primvar_index_out_of_range(build: StageBuilder) -> None:
+def test_primvar_index_out_of_range(build: StageBuilder, picture: Path) -> None:
     mesh = build.quad()
+    wear_texture(build, mesh, picture)
     st = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar("st", Types.TexCoord2fArray, "vertex")
     st.Set([(0, 0), (1, 1)])
     st.SetIndices([0, 1, 2, 0])
@@ -119,8 +129,9 @@ def test_primvar_index_out_of_range(build: StageBuilder) -> None:
 
 
 @pytest.mark.parametrize("name", ["st", "normals"])
-def test_primvar_of_wrong_length(build: StageBuilder, name: str) -> None:
+def test_primvar_of_wrong_length(build: StageBuilder, picture: Path, name: str) -> None:
     mesh = build.quad()
+    wear_texture(build, mesh, picture)
     types = {"st": Types.TexCoord2fArray, "normals": Types.Normal3fArray}
     primvar = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(name, types[name], "vertex")
     primvar.Set([(0,) * (2 if name == "st" else 3)] * 3)
@@ -137,21 +148,31 @@ def test_primvar_not_finite(build: StageBuilder) -> None:
     assert "/Quad: the normals are ignored" in warning_texts(contents)
 
 
-def test_inherited_st(build: StageBuilder) -> None:
+def test_inherited_st(build: StageBuilder, picture: Path) -> None:
     UsdGeom.Xform.Define(build.stage, "/Parent")
     parent = UsdGeom.PrimvarsAPI(build.stage.GetPrimAtPath("/Parent"))
     parent.CreatePrimvar("st", Types.TexCoord2fArray, "constant").Set([(0.25, 0.5)])
-    build.quad("/Parent/Quad")
+    wear_texture(build, build.quad("/Parent/Quad"), picture)
     read = only_mesh(build.read())
     np.testing.assert_array_equal(read.st, [[0.25, 0.5]])
     assert read.st_interpolation == _core.Interpolation.Constant
 
 
+def test_unneeded_st_is_not_read(build: StageBuilder) -> None:
+    """Nothing is said of what is wrong with it, either."""
+    st = UsdGeom.PrimvarsAPI(build.quad()).CreatePrimvar("st", Types.TexCoord2fArray, "vertex")
+    st.Set([(0, 0)] * 3)
+    contents = build.read()
+    assert not only_mesh(contents).st.size
+    assert contents.warnings == ()
+
+
 # ---------------------------------------------------------------------------------- holes, subsets
 
 
-def test_holes_take_their_primvars_along(build: StageBuilder) -> None:
+def test_holes_take_their_primvars_along(build: StageBuilder, picture: Path) -> None:
     mesh = build.strip()
+    wear_texture(build, mesh, picture)
     mesh.CreateHoleIndicesAttr([1])
     mesh.CreateNormalsAttr([(0, 0, face) for face in range(3)])
     mesh.SetNormalsInterpolation("uniform")

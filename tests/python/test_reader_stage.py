@@ -224,7 +224,7 @@ def Mesh "Primvars" (
     int[] faceVertexCounts = [3]
     int[] faceVertexIndices = [0, 1, 2]
     float primvars:displayColor = 3
-    string[] primvars:st = ["a"]
+    string[] primvars:normals = ["a"]
     uniform token subdivisionScheme = "mystery"
 }
 def Material "Material"
@@ -256,7 +256,7 @@ def test_wrong_types_are_skipped(tmp_path: Path) -> None:
     contents = read_stage(file)
     assert "/Primvars" in [shape.name for shape in contents.scene.shapes]
     text = warning_texts(contents)
-    assert "/Primvars: primvar 'st' is ignored: its values are not numbers" in text
+    assert "/Primvars: primvar 'normals' is ignored: its values are not numbers" in text
     assert "/Points: the Mesh is skipped: an attribute has a value of a wrong type" in text
     assert "/Material" in text
     assert all(str(warning).count("\n") == 0 for warning in contents.warnings)

@@ -313,3 +313,51 @@ def test_rotation_in_degrees(build: StageBuilder, picture: Path) -> None:
     assert build.read().scene.textures[0].st_transform[0] == pytest.approx(
         math.cos(math.radians(30))
     )
+
+
+# ---------------------------------------------------------------------------------------- rings
+
+
+def test_ring_of_texture_transforms(build: StageBuilder, picture: Path) -> None:
+    """Two that move each other, behind one that is outside of the ring."""
+    textured(build, picture)
+    outputs = [
+        build.node("UsdTransform2d", f"/Material/{name}", scale=(2.0, 2.0)).CreateOutput(
+            "result", Types.Float2
+        )
+        for name in ("Outer", "One", "Two")
+    ]
+    texture = UsdShade.Shader(build.stage.GetPrimAtPath("/Material/Texture"))
+    texture.CreateInput("st", Types.Float2).ConnectToSource(outputs[0])
+    for reader, source in (("Outer", 1), ("One", 2), ("Two", 1)):
+        node = UsdShade.Shader(build.stage.GetPrimAtPath(f"/Material/{reader}"))
+        node.CreateInput("in", Types.Float2).ConnectToSource(outputs[source])
+    contents = build.read()
+    (desc,) = contents.scene.textures
+    assert desc.st_transform == [1, 0, 0, 0, 1, 0]
+    assert (
+        "/Material/One: the nodes of texture coordinates feed each other in a ring; "
+        "primvar 'st' is used"
+    ) in warning_texts(contents)
+
+
+@pytest.mark.parametrize(
+    ("node", "passed_on"),
+    [
+        ("ND_constant_color3", "value"),
+        ("UsdPrimvarReader_float3", "fallback"),
+        ("ND_geompropvalue_color3", "default"),
+    ],
+)
+def test_ring_of_constants(build: StageBuilder, node: str, passed_on: str) -> None:
+    one, two = (build.node(node, f"/Material/{name}") for name in ("One", "Two"))
+    first, second = (each.CreateOutput("out", Types.Color3f) for each in (one, two))
+    one.CreateInput(passed_on, Types.Color3f).ConnectToSource(second)
+    two.CreateInput(passed_on, Types.Color3f).ConnectToSource(first)
+    bound(build).CreateInput("diffuseColor", Types.Color3f).ConnectToSource(first)
+    contents = build.read()
+    assert preview(contents).diffuse_color.value == [0.18, 0.18, 0.18]
+    assert (
+        "/Material/One: the nodes of input 'diffuseColor' feed each other in a ring; "
+        "its default is used"
+    ) in warning_texts(contents)

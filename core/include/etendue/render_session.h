@@ -9,6 +9,7 @@
 #include <etendue/film_view.h>
 #include <etendue/picked_surface.h>
 #include <etendue/render_settings.h>
+#include <etendue/requirements.h>
 #include <etendue/scene_description.h>
 
 namespace etendue {
@@ -36,6 +37,10 @@ public:
     /// are, and the textures if none has changed (files are not looked at again). The picture is the same without.
     RenderSession(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback = {},
                   const RenderSession* before = nullptr);
+    /// The same, of a scene that nobody else has a use for: its geometries are let go of as soon as the render has its
+    /// own, before the acceleration structure is built, which is when most memory is taken.
+    RenderSession(SceneDescription&& scene, const RenderSettings& settings, ProgressCallback callback = {},
+                  const RenderSession* before = nullptr);
     /// Cancels and waits.
     ~RenderSession();
     RenderSession(RenderSession&&) noexcept;
@@ -55,6 +60,10 @@ public:
     [[nodiscard]] RenderProgress progress() const;
     /// The picture so far; usable while rendering.
     [[nodiscard]] RenderedImage snapshot() const;
+
+    /// What was derived for the scene and the settings.
+    [[nodiscard]] const Requirements& requirements() const;
+    [[nodiscard]] MemoryUse memory_use() const;
 
     /// The nearest surface behind a point of the full image (pixels, row 0 on top, centres at .5), as the middle of the
     /// lens sees it.

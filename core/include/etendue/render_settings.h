@@ -66,6 +66,8 @@ struct PixelWindow {
     int y1 = 0;
 };
 
+inline constexpr double kDefaultTextureMemory = 1024;  ///< megabytes
+
 struct RenderSettings {
     int camera = 0;  ///< index into SceneDescription::cameras
     int width = 512;
@@ -88,6 +90,9 @@ struct RenderSettings {
     int max_depth = 16;  ///< bounces, s + t - 2; 0 shows emission only
     std::uint64_t seed = 0;
     int threads = 0;  ///< 0: all
+    /// Megabytes of texels that are kept decoded; what does not fit is read again when it is needed. An image without
+    /// tiles (png, jpeg) is one piece, and each thread holds up to eight pieces whatever the limit.
+    double texture_memory = kDefaultTextureMemory;
 
     PixelFilter filter;
     MisHeuristic heuristic = MisHeuristic::Power;

@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <atomic>
 #include <limits>
 #include <string>
 #include <utility>
@@ -114,6 +115,7 @@ public:
         check();
         check_version();
         rtcSetDeviceErrorFunction(device_.get(), &Impl::on_error, this);
+        rtcSetDeviceMemoryMonitorFunction(device_.get(), &Impl::on_memory, this);
         for (const auto& group : input.groups) {
             groups_.push_back(new_scene(device_.get(), group));
             rtcCommitScene(groups_.back().get());
@@ -127,6 +129,7 @@ public:
     }
 
     [[nodiscard]] RTCScene scene() const { return scene_.get(); }
+    [[nodiscard]] std::int64_t memory_used() const { return memory_used_; }
 
     [[nodiscard]] AccelHit to_hit(const RTCRayHit& rh) const {
         AccelHit hit;
@@ -169,6 +172,13 @@ private:
         static_cast<Impl*>(self)->message_ = "error " + std::to_string(code) + ": " + (text != nullptr ? text : "");
     }
 
+    /// From any of the threads that build.
+    static bool on_memory(void* self, ssize_t bytes, bool /*after*/) {
+        static_cast<Impl*>(self)->memory_used_ += bytes;
+        return true;
+    }
+
+    std::atomic<std::int64_t> memory_used_{0};  ///< goes after the device, which counts to its end
     DeviceHandle device_;
     std::vector<SceneHandle> groups_;
     SceneHandle scene_;
@@ -207,5 +217,7 @@ std::optional<AccelBounds> EmbreeAccel::bounds() const {
     if (!(b.lower_x <= b.upper_x)) return {};
     return AccelBounds{{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}};
 }
+
+std::int64_t EmbreeAccel::memory_used() const { return impl_->memory_used(); }
 
 }  // namespace etendue

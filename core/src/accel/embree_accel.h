@@ -63,6 +63,8 @@ public:
     [[nodiscard]] bool occluded(const Ray& ray, double t_max) const;
     /// Empty when nothing is there.
     [[nodiscard]] std::optional<AccelBounds> bounds() const;
+    /// Bytes that Embree holds, as it counts them; while it builds it takes more.
+    [[nodiscard]] std::int64_t memory_used() const;
 
 private:
     class Impl;

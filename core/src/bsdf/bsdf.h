@@ -1,29 +1,17 @@
 #pragma once
 
+#include <concepts>
 #include <optional>
-#include <variant>
 
 #include <etendue/render_settings.h>
 
 #include "bsdf/adjoint.h"
+#include "bsdf/bsdf_model.h"
 #include "bsdf/bsdf_sample.h"
-#include "bsdf/conductor.h"
-#include "bsdf/dielectric.h"
-#include "bsdf/diffuse.h"
-#include "bsdf/layered.h"
-#include "bsdf/phong.h"
-#include "bsdf/rough_diffuse.h"
 #include "bsdf/transport_mode.h"
 #include "math/frame.h"
 
 namespace etendue {
-
-/// The local models. Each works in the shading frame (n_s = +z), knows nothing of n_g, and has
-///   Rgb eval(wo, wi, mode, policy)                 f without cosine, non-delta lobes only
-///   double pdf(wo, wi)                             per solid angle, non-delta lobes only; the same in both modes
-///   optional<BsdfSample> sample(wo, u_lobe, u, mode, policy)
-///   bool has_delta() / bool has_non_delta()
-using BsdfModel = std::variant<Diffuse, RoughDiffuse, Phong, Conductor, Dielectric, Layered>;
 
 /// A BSDF at a point: a local model, its shading frame and the geometric normal, which together make fbar of
 /// theory.md §6. wo is the known direction (towards the previous vertex), wi the sampled one; both point away.
@@ -31,6 +19,11 @@ class Bsdf {
 public:
     Bsdf(const BsdfModel& model, const Frame& shading_frame, const Vec3& n_g)
         : model_(model), frame_(shading_frame), n_g_(n_g) {}
+    /// Of the model that `make` returns, built in place: a copy would move as many bytes as the largest model has, for
+    /// the plainest one too.
+    template <std::invocable MakeModel>
+    Bsdf(const MakeModel& make, const Frame& shading_frame, const Vec3& n_g)
+        : model_(make()), frame_(shading_frame), n_g_(n_g) {}
 
     /// fbar |wi . n_g|: what a connection or next-event estimate multiplies, with 1/d^2 and the other end's cosine left
     /// to the caller. The cosine is kept inside because fbar alone has a pole where the product has none.

@@ -67,8 +67,8 @@ Vec3 mapped_normal(const TextureSet& textures, int texture, const SurfaceInterac
 
 Bsdf make_bsdf(const MaterialDesc& material, const TextureSet& textures, const SurfaceInteraction& si) {
     const InputReader read(textures, si.st);
-    const BsdfModel model = std::visit([&](const auto& m) { return make_model(m, read); }, material.model);
-    return Bsdf(model, Frame::from_normal(shading_normal(material, textures, si)), si.n_g);
+    const auto make = [&] { return std::visit([&](const auto& m) { return make_model(m, read); }, material.model); };
+    return Bsdf(make, Frame::from_normal(shading_normal(material, textures, si)), si.n_g);
 }
 
 Vec3 shading_normal(const MaterialDesc& material, const TextureSet& textures, const SurfaceInteraction& si) {

@@ -77,6 +77,11 @@ Aperture conformed(const Aperture& aperture, double image_aspect, ApertureConfor
 
 }  // namespace
 
+bool has_lens(const CameraDesc& desc) {
+    // Focus distance 0 is the schema's "not set": without a focus there is no lens.
+    return desc.projection == CameraProjection::Perspective && desc.f_stop > 0 && desc.focus_distance > 0;
+}
+
 Camera::Camera(const CameraDesc& desc, int width, int height, ApertureConform conform) {
     check_attributes(desc, width, height);
 
@@ -99,8 +104,7 @@ Camera::Camera(const CameraDesc& desc, int width, int height, ApertureConform co
     plane_per_pixel_x_ = aperture.width * plane_per_aperture / width;
     plane_per_pixel_y_ = aperture.height * plane_per_aperture / height;
 
-    // Focus distance 0 is the schema's "not set": without a focus there is no lens.
-    if (!orthographic_ && desc.f_stop > 0 && desc.focus_distance > 0) {
+    if (etendue::has_lens(desc)) {
         lens_radius_ = desc.focal_length * kUnitsPerTenth / (2 * desc.f_stop);
         focus_distance_ = desc.focus_distance;
     }

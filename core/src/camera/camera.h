@@ -41,6 +41,9 @@ struct LensHit {
     double pdf_dir = 0;
 };
 
+/// Whether the camera has a lens of finite size: light can find it, and things out of focus blur.
+[[nodiscard]] bool has_lens(const CameraDesc& desc);
+
 /// Pinhole, thin-lens or orthographic camera. An orthographic one is the counterpart of a distant light without extent:
 /// its rays have one direction, and a point of the scene is seen from one point of its plane. Joining points to it
 /// (t = 1) works as for a pinhole, with areas perpendicular to the direction in place of solid angles. Light from

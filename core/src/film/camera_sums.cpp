@@ -17,6 +17,15 @@ void CameraSums::end_pass(std::uint64_t replicate) {
     ++passes_;
 }
 
+std::size_t CameraSums::memory_used() const {
+    std::size_t bytes = 0;
+    for (const Part& part : parts_) {
+        bytes += part.radiance.size() * sizeof(Rgb) + part.count.size() * sizeof(part.count[0]) +
+                 part.surface.size() * sizeof(Surface);
+    }
+    return bytes;
+}
+
 double CameraSums::weight(std::size_t part, std::size_t pixel) const {
     if (even()) return 1;
     return static_cast<double>(parts_[part].passes) / static_cast<double>(parts_[part].count[pixel]);

@@ -41,6 +41,8 @@ public:
     void end_pass(std::uint64_t replicate);
 
     [[nodiscard]] std::size_t pixels() const { return parts_.front().radiance.size(); }
+    /// Bytes.
+    [[nodiscard]] std::size_t memory_used() const;
     /// Sums are kept in so many parts: one, or one for each half.
     [[nodiscard]] std::size_t parts() const { return parts_.size(); }
     [[nodiscard]] std::size_t part_of(std::uint64_t replicate) const {

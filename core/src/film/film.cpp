@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "film/asks_for.h"
 #include "film/splat_footprint.h"
+#include "util/asks_for.h"
 
 namespace etendue {
 namespace {
@@ -78,6 +78,12 @@ Rgb Film::color(std::size_t pixel) const {
     Rgb value = camera_.radiance(pixel) / camera_.samples(pixel);
     if (!splat_.empty()) value += splat_[pixel] / static_cast<double>(statistics_.light_paths);
     return value;
+}
+
+std::size_t Film::memory_used(bool light_paths) const {
+    const std::size_t splats = light_paths ? camera_.pixels() * sizeof(Rgb) : 0;
+    const std::size_t replicates = replicates_ ? replicates_->memory_used(light_paths) : 0;
+    return camera_.memory_used() + splats + replicates + strategies_.memory_used();
 }
 
 bool Film::shows_error() const { return replicates_ && replicates_->passes() >= kReplicates; }

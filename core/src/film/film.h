@@ -30,6 +30,8 @@ public:
     void end_pass();
 
     [[nodiscard]] RenderedImage image() const;
+    /// Bytes, once everything that can has arrived; splats only where there are light paths.
+    [[nodiscard]] std::size_t memory_used(bool light_paths) const;
     /// Whether the passes so far tell the picture's error: replicates are kept, and each has a complete one.
     [[nodiscard]] bool shows_error() const;
     /// Needs shows_error(); lives no longer than the next add().

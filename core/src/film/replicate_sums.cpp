@@ -33,6 +33,13 @@ void ReplicateSums::end_pass(std::uint64_t light_paths) {
     std::fill(splat_.begin(), splat_.end(), Rgb());
 }
 
+std::size_t ReplicateSums::memory_used(bool splats) const {
+    const std::size_t plane = camera_.size() * sizeof(Rgb);
+    const std::size_t counts = (kReplicates + 1) * count_.size() * sizeof(count_[0]);
+    const std::size_t splat_planes = !splats ? 0 : (count_.empty() ? 1 : kReplicates + 1);
+    return (kReplicates + 1 + splat_planes) * plane + counts;
+}
+
 Rgb ReplicateSums::uneven_sum(std::uint64_t replicate, std::size_t pixel) const {
     if (passes_of(replicate) == 0) return {};
     Rgb sum = camera_mean(replicate, pixel) * static_cast<double>(passes_of(replicate));

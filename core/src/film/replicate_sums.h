@@ -29,6 +29,8 @@ public:
     void end_pass(std::uint64_t light_paths);
 
     [[nodiscard]] std::size_t pixels() const { return camera_.size(); }
+    /// Bytes, once splats have come, if `splats` do.
+    [[nodiscard]] std::size_t memory_used(bool splats) const;
     /// Complete ones.
     [[nodiscard]] std::uint64_t passes() const { return passes_; }
     [[nodiscard]] std::uint64_t passes_of(std::uint64_t replicate) const {

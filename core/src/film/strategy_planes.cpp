@@ -25,6 +25,14 @@ void append(std::vector<float>& out, const Rgb& value) {
 StrategyPlanes::StrategyPlanes(std::vector<Strategy> strategies, const PixelWindow& window, std::size_t parts)
     : strategies_(std::move(strategies)), window_(window), planes_(strategies_.size(), Parts(parts)) {}
 
+std::size_t StrategyPlanes::memory_used() const {
+    std::size_t planes = 0;
+    for (std::size_t strategy = 0; strategy < strategies_.size(); ++strategy) {
+        planes += samples_pixels(strategy) ? planes_[strategy].size() : 1;
+    }
+    return planes * 2 * pixel_count(window_) * sizeof(Rgb);
+}
+
 void StrategyPlanes::add(const FilmTile& tile, const Filter& filter, std::size_t part) {
     for (const StrategySample& s : tile.strategies) {
         Plane& plane = planes_[s.plane][samples_pixels(s.plane) ? part : 0];

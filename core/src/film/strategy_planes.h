@@ -25,6 +25,9 @@ public:
     /// The images, given what the camera samples weigh and the light paths behind the sums.
     [[nodiscard]] std::vector<StrategyImage> images(const CameraSums& camera, std::uint64_t light_paths) const;
 
+    /// Bytes, once all of them have arrived.
+    [[nodiscard]] std::size_t memory_used() const;
+
 private:
     /// Empty until something arrives.
     struct Plane {

@@ -17,7 +17,8 @@ struct Quadric {
     double radius = 1;
     bool flipped = false;  ///< a disk light shines along -z
     Transform parent_from_object;
-    double half_length = 0;  ///< of a tube
+    double half_length = 0;        ///< of a tube
+    bool has_coordinates = false;  ///< whether anybody asks for st()
 
     /// Nearest t in (t_near, t_far) along origin + t direction (parent space).
     [[nodiscard]] std::optional<double> intersect(const Vec3& origin, const Vec3& direction, double t_near,

@@ -148,13 +148,23 @@ private:
     std::vector<std::array<int, 3>> triangles_;
 };
 
+/// Room for all triangles at once: growing arrays would take twice that, and copy.
+void reserve_triangles(const MeshDesc& desc, bool own_normals, bool own_st, TriangleMesh& mesh) {
+    const std::size_t count = desc.face_vertex_indices.size() - 2 * desc.face_vertex_counts.size();
+    mesh.triangles.reserve(count);
+    if (own_normals) mesh.normal_indices.reserve(count);
+    if (own_st) mesh.st_indices.reserve(count);
+    if (!desc.face_materials.empty()) mesh.material_slots.reserve(count);
+}
+
 void cut_faces(const MeshDesc& desc, TriangleMesh& mesh) {
     const bool own_normals = !desc.normals.empty() && desc.normals_interpolation != Interpolation::Vertex;
-    const bool own_st = !desc.st.empty() && desc.st_interpolation != Interpolation::Vertex;
+    const bool own_st = !mesh.st.empty() && desc.st_interpolation != Interpolation::Vertex;
     const auto indices = [](const std::array<Corner, 3>& c, Interpolation interpolation) {
         return TriangleIndices{primvar_index(c[0], interpolation), primvar_index(c[1], interpolation),
                                primvar_index(c[2], interpolation)};
     };
+    reserve_triangles(desc, own_normals, own_st, mesh);
     FaceCutter(desc).run([&](std::uint32_t face, const std::array<Corner, 3>& c) {
         mesh.triangles.push_back({c[0].vertex, c[1].vertex, c[2].vertex});
         if (own_normals) mesh.normal_indices.push_back(indices(c, desc.normals_interpolation));
@@ -165,18 +175,28 @@ void cut_faces(const MeshDesc& desc, TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh make_triangle_mesh(const MeshDesc& desc, const Transform& parent_from_object, const std::string& name) {
+std::size_t TriangleMesh::memory_used() const {
+    const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
+    return bytes(points) + bytes(triangles) + bytes(normals) + bytes(normal_indices) + bytes(st) + bytes(st_indices) +
+           bytes(material_slots);
+}
+
+TriangleMesh make_triangle_mesh(const MeshDesc& desc, const Transform& parent_from_object, const std::string& name,
+                                CoordinateUse coordinates) {
     check_topology(desc, name);
     check_finite(desc.points, name, "points");
     check_finite(desc.normals, name, "normals");
-    check_finite(desc.st, name, "texture coordinates");
     check_primvar(desc, desc.normals.size(), desc.normals_interpolation, name, "normals");
-    check_primvar(desc, desc.st.size(), desc.st_interpolation, name, "texture coordinates");
 
     TriangleMesh mesh;
     place_points(desc, parent_from_object, name, mesh);
     place_normals(desc, parent_from_object, mesh);
-    mesh.st = desc.st;
+    if (coordinates != CoordinateUse::Unused) {
+        check_finite(desc.st, name, "texture coordinates");
+        check_primvar(desc, desc.st.size(), desc.st_interpolation, name, "texture coordinates");
+        mesh.st = desc.st;
+        mesh.has_tangents = coordinates == CoordinateUse::Tangents;
+    }
     mesh.outward = desc.left_handed != parent_from_object.flips_handedness() ? -1 : 1;
     cut_faces(desc, mesh);
     return mesh;

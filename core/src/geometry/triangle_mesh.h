@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <etendue/requirements.h>
 #include <etendue/scene_description.h>
 
 #include "math/transform.h"
@@ -22,14 +23,17 @@ struct TriangleMesh {
     std::vector<TriangleIndices> triangles;
     std::vector<Float3> normals;                  ///< empty: faceted
     std::vector<TriangleIndices> normal_indices;  ///< empty: as `triangles`
-    std::vector<Float2> st;                       ///< empty: none
+    std::vector<Float2> st;                       ///< empty: none, or nobody asks for them
     std::vector<TriangleIndices> st_indices;      ///< empty: as `triangles`
     std::vector<std::int32_t> material_slots;     ///< per triangle; empty: all 0
     /// -1 when the winding gives the inward normal (left-handed, or mirrored by the transform, but not both).
     double outward = 1;
+    bool has_tangents = false;  ///< whether anybody asks for the directions of st
 
     [[nodiscard]] bool operator==(const TriangleMesh&) const = default;
 
+    /// Bytes of all its arrays.
+    [[nodiscard]] std::size_t memory_used() const;
     [[nodiscard]] std::size_t point_count() const { return points.size() - 1; }
     [[nodiscard]] Vec3 point(std::size_t triangle, std::size_t corner) const {
         return Vec3{points[triangles[triangle][corner]]};
@@ -45,8 +49,10 @@ struct TriangleMesh {
     }
 };
 
-/// Checks the mesh, cuts its faces into triangles and places it. Throws SceneError naming `name`.
+/// Checks the mesh, cuts its faces into triangles and places it. Texture coordinates that nobody asks for are not
+/// looked at. Throws SceneError naming `name`.
 [[nodiscard]] TriangleMesh make_triangle_mesh(const MeshDesc& desc, const Transform& parent_from_object,
-                                              const std::string& name);
+                                              const std::string& name,
+                                              CoordinateUse coordinates = CoordinateUse::Tangents);
 
 }  // namespace etendue

@@ -21,9 +21,6 @@ public:
     [[nodiscard]] virtual std::vector<Strategy> image_strategies() const { return {}; }
 };
 
-/// Whether these settings may start paths at lights.
-[[nodiscard]] bool traces_light_paths(const RenderSettings& settings);
-
 [[nodiscard]] std::unique_ptr<Integrator> make_integrator(const RenderContext& context);
 
 }  // namespace etendue

@@ -16,8 +16,9 @@ struct RenderContext {
     const Camera& camera;
     const RenderSettings& settings;
     Filter filter;
-    PixelWindow window;  ///< pixels to render, within the full image
-    bool wants_surface;  ///< an AOV describes the first surface
+    PixelWindow window;      ///< pixels to render, within the full image
+    StrategySet strategies;  ///< that can carry light here (Requirements)
+    bool wants_surface;      ///< an AOV describes the first surface
     bool wants_albedo;
     Media camera_media{};  ///< what the camera lies in; one for all of its lens, or of its plane
 };

@@ -44,6 +44,7 @@ public:
     /// Needs an image that is not black.
     [[nodiscard]] Sample sample(const Vec2& u) const;
     [[nodiscard]] Cell cell_at(double x, double y) const;
+    [[nodiscard]] std::size_t memory_used() const { return cells_.memory_used(); }
 
 private:
     [[nodiscard]] Cell cell(std::size_t column, std::size_t row) const;

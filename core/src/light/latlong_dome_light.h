@@ -18,6 +18,7 @@ public:
                      std::shared_ptr<const EmissionImage> image);
 
     [[nodiscard]] Rgb radiance(const LightPoint& y, const Vec3& w) const override;
+    [[nodiscard]] std::size_t memory_used() const override { return table_.memory_used(); }
 
 protected:
     [[nodiscard]] DirectionSample sample_direction(const Vec2& u) const override;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 #include "light/light_bounds.h"
@@ -74,6 +75,8 @@ public:
     [[nodiscard]] virtual Rgb power() const = 0;
     /// Empty when the light has none: at infinity, or a kind that does not say. Asked once, for choosing among lights.
     [[nodiscard]] virtual std::optional<LightBounds> bounds() const { return {}; }
+    /// Bytes beside the object itself: tables and triangles.
+    [[nodiscard]] virtual std::size_t memory_used() const { return 0; }
     /// At infinity: LightPoint::p is a direction.
     [[nodiscard]] virtual bool infinite() const { return false; }
     /// A point, a line, or a single direction: no path finds it by chance.

@@ -30,6 +30,10 @@ public:
     /// A function of the receiver alone, whichever way the light was found.
     [[nodiscard]] double pmf_direct(const Vec3& receiver, int light) const;
 
+    [[nodiscard]] std::size_t memory_used() const {
+        return emission_.memory_used() + blind_.memory_used() + tree_.memory_used() + by_irradiance_.memory_used();
+    }
+
 private:
     [[nodiscard]] std::optional<LightChoice> sample_aware(const Vec3& receiver, double u) const;
     [[nodiscard]] double pmf_aware(const Vec3& receiver, int light) const;

@@ -36,6 +36,10 @@ public:
     /// Of a light that is in the tree.
     [[nodiscard]] double pmf(const Vec3& receiver, int light) const;
 
+    [[nodiscard]] std::size_t memory_used() const {
+        return nodes_.capacity() * sizeof(Node) + trails_.capacity() * sizeof(std::uint64_t);
+    }
+
 private:
     struct Node {
         Vec3 center;

@@ -117,11 +117,9 @@ std::unique_ptr<Light> make_disk(const LightDesc& light, const Transform& world_
     return shaped(light, world_from_light, std::make_unique<DiskLight>(world_from_light, light.radius, radiance));
 }
 
-bool is_point(const LightDesc& light) { return light.radius == 0 || light.treat_as_point; }
-
 std::unique_ptr<Light> make_sphere(const LightDesc& light, const Transform& world_from_light) {
     const double area = SphereLight::world_area(world_from_light, light.radius);
-    if (is_point(light)) {
+    if (lux_is_thin(light)) {
         return shaped(light, world_from_light,
                       std::make_unique<PointLight>(world_from_light.translation(),
                                                    finite(light, lux_point_intensity(light, area))));
@@ -131,8 +129,6 @@ std::unique_ptr<Light> make_sphere(const LightDesc& light, const Transform& worl
     return shaped(light, world_from_light, std::make_unique<SphereLight>(world_from_light, light.radius, radiance));
 }
 
-bool is_line(const LightDesc& light) { return light.radius == 0 || light.treat_as_line; }
-
 std::unique_ptr<Light> make_cylinder(const LightDesc& light, const Transform& world_from_light) {
     const double area = CylinderLight::world_area(world_from_light, light.length, light.radius);
     const Vec3 segment = world_from_light.vector({light.length, 0, 0});
@@ -140,7 +136,7 @@ std::unique_ptr<Light> make_cylinder(const LightDesc& light, const Transform& wo
         if (light.normalize) fail(light, "it has no length to normalize by");
         return std::make_unique<DarkLight>();
     }
-    if (is_line(light)) {
+    if (lux_is_thin(light)) {
         return shaped(light, world_from_light,
                       std::make_unique<LineLight>(world_from_light.point({-light.length / 2, 0, 0}), segment,
                                                   finite(light, lux_line_intensity(light, area, length(segment)))));
@@ -199,10 +195,10 @@ std::optional<LightShape> make_light_shape(const LightDesc& light) {
             if (light.radius == 0) return {};
             return Quadric{QuadricKind::Disk, light.radius, true, world_from_light};  // emits along -Z
         case LightKind::Sphere:
-            if (is_point(light)) return {};
+            if (lux_is_thin(light)) return {};
             return Quadric{QuadricKind::Sphere, light.radius, false, world_from_light};
         case LightKind::Cylinder:
-            if (is_line(light) || light.length == 0) return {};
+            if (lux_is_thin(light) || light.length == 0) return {};
             return Quadric{QuadricKind::Tube, light.radius, false, world_from_light, light.length / 2};
         case LightKind::Distant:
         case LightKind::Dome:

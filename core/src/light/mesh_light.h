@@ -26,6 +26,9 @@ public:
     [[nodiscard]] static double world_area(const std::vector<LightTriangle>& triangles);
 
     [[nodiscard]] std::optional<LightBounds> bounds() const override;
+    [[nodiscard]] std::size_t memory_used() const override {
+        return triangles_.capacity() * sizeof(LightTriangle) + by_area_.memory_used();
+    }
 
 protected:
     [[nodiscard]] PointSample sample_point(const Vec2& u) const override;

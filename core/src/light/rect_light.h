@@ -29,6 +29,7 @@ public:
 
     [[nodiscard]] static double world_area(const Transform& world_from_light, double width, double height);
     [[nodiscard]] std::optional<LightBounds> bounds() const override;
+    [[nodiscard]] std::size_t memory_used() const override { return image_ ? image_->table.memory_used() : 0; }
 
 protected:
     [[nodiscard]] PointSample sample_point(const Vec2& u) const override;

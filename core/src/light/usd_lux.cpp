@@ -37,9 +37,16 @@ Rgb lux_delta_distant_irradiance(const LightDesc& light) { return authored_radia
 
 Rgb lux_dome_radiance(const LightDesc& light) { return authored_radiance(light); }
 
+bool lux_emits(const LightDesc& light) { return !is_black(authored_radiance(light)); }
+
+bool lux_is_thin(const LightDesc& light) {
+    if (light.kind == LightKind::Sphere) return light.radius == 0 || light.treat_as_point;
+    return light.kind == LightKind::Cylinder && (light.radius == 0 || light.treat_as_line);
+}
+
 std::optional<TextureDesc> lux_texture(const LightDesc& light) {
     const bool dome = light.kind == LightKind::Dome;
-    if ((!dome && light.kind != LightKind::Rect) || light.texture_file.empty()) return {};
+    if ((!dome && light.kind != LightKind::Rect) || light.texture_file.empty() || !lux_emits(light)) return {};
     TextureDesc texture;
     texture.name = light.name;
     texture.file = light.texture_file;

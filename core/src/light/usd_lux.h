@@ -42,9 +42,15 @@ namespace etendue {
 /// A dome ignores `normalize`: its sizeFactor is 1. A texture multiplies its radiance.
 [[nodiscard]] Rgb lux_dome_radiance(const LightDesc& light);
 
-/// The texture that multiplies the radiance of a dome or a rect; none of other lights. On a rect, its upper left corner
-/// is at (+X, +Y) and its lower right one at (-X, -Y): upright to who sees it shine. (UsdLux says "min" and "max
-/// coordinates"; hdEmbree mirrors it.)
+/// Whether the light emits at all, whatever its size.
+[[nodiscard]] bool lux_emits(const LightDesc& light);
+
+/// Whether a sphere is taken as a point, a cylinder as a line: of those no ray finds any.
+[[nodiscard]] bool lux_is_thin(const LightDesc& light);
+
+/// The texture that multiplies the radiance of a dome or a rect; none of other lights, nor of one that emits nothing.
+/// On a rect, its upper left corner is at (+X, +Y) and its lower right one at (-X, -Y): upright to who sees it shine.
+/// (UsdLux says "min" and "max coordinates"; hdEmbree mirrors it.)
 [[nodiscard]] std::optional<TextureDesc> lux_texture(const LightDesc& light);
 
 /// The axes of a dome's latlong texture, in the world (LatlongDomeLight). Of light space, the texture's top is +Y and

@@ -37,6 +37,8 @@ public:
         return {i, std::clamp((x - below) / weight(i), 0.0, kOneMinusEpsilon)};
     }
 
+    [[nodiscard]] std::size_t memory_used() const { return cumulative_.capacity() * sizeof(double); }
+
 private:
     std::vector<double> cumulative_;
     double total_ = 0;

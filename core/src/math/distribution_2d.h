@@ -43,6 +43,12 @@ public:
         return {column.index, row.index, {column.u, row.u}};
     }
 
+    [[nodiscard]] std::size_t memory_used() const {
+        std::size_t bytes = by_row_.memory_used();
+        for (const Distribution& row : rows_) bytes += sizeof(row) + row.memory_used();
+        return bytes;
+    }
+
 private:
     Distribution by_row_;
     std::vector<Distribution> rows_;

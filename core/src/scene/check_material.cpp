@@ -5,6 +5,8 @@
 
 #include <etendue/error.h>
 
+#include "bsdf/material_fields.h"
+
 namespace etendue {
 namespace {
 
@@ -17,15 +19,10 @@ public:
             throw SceneError(name_ + ": texture index " + std::to_string(texture) + " is out of range");
         }
     }
-    template <typename... Inputs>
-    void inputs(const Inputs&... all) const {
-        (input(all), ...);
-    }
     void not_negative(const char* what, double value) const {
         if (!(value >= 0)) throw SceneError(name_ + ": " + what + " " + std::to_string(value) + " is not 0 or more");
     }
 
-private:
     void input(const ColorInput& color) const { index(color.texture); }
     void input(const FloatInput& number) const {
         index(number.texture);
@@ -34,38 +31,30 @@ private:
         }
     }
 
+private:
     const std::string& name_;
     std::size_t count_;
 };
 
-void check(const DiffuseMaterial& m, const Checker& checker) { checker.inputs(m.reflectance, m.roughness); }
-void check(const ConductorMaterial& m, const Checker& checker) { checker.inputs(m.reflectance, m.roughness); }
+/// What textures cannot vary.
+template <typename Model>
+void check(const Model&, const Checker&) {}
 void check(const DielectricMaterial& m, const Checker& checker) {
-    checker.inputs(m.roughness, m.reflection_tint, m.transmission_tint);
     checker.not_negative("ior", m.ior);
     checker.not_negative("transmission_depth", m.transmission_depth);
 }
-void check(const PreviewSurfaceMaterial& m, const Checker& checker) {
-    checker.inputs(m.diffuse_color, m.specular_color, m.metallic, m.roughness, m.clearcoat, m.clearcoat_roughness,
-                   m.opacity);
-    checker.not_negative("ior", m.ior);
-}
+void check(const PreviewSurfaceMaterial& m, const Checker& checker) { checker.not_negative("ior", m.ior); }
 void check(const OpenPbrMaterial& m, const Checker& checker) {
-    checker.inputs(m.base_weight, m.base_color, m.base_diffuse_roughness, m.base_metalness, m.specular_weight,
-                   m.specular_color, m.specular_roughness, m.transmission_weight, m.transmission_color, m.coat_weight,
-                   m.coat_roughness, m.coat_darkening, m.geometry_opacity);
     checker.not_negative("specular_ior", m.specular_ior);
     checker.not_negative("transmission_depth", m.transmission_depth);
     checker.not_negative("coat_ior", m.coat_ior);
 }
 
-void check(const PhongMaterial& m, const Checker& checker) { checker.inputs(m.reflectance, m.exponent); }
-
 }  // namespace
 
 void check_material(const MaterialDesc& material, std::size_t texture_count) {
     const Checker checker(material.name, texture_count);
-    checker.inputs(material.emission);
+    for_each_input(material, [&](const auto& input) { checker.input(input); });
     checker.index(material.normal_texture);
     std::visit([&](const auto& model) { check(model, checker); }, material.model);
 }

@@ -12,14 +12,15 @@ struct Corners {
     Vec3 e2;
 };
 
-void set_tangents(const TriangleMesh& mesh, std::size_t triangle, const Corners& c, const AccelHit& hit,
-                  SurfaceInteraction& si) {
+void set_coordinates(const TriangleMesh& mesh, std::size_t triangle, const Corners& c, const AccelHit& hit,
+                     SurfaceInteraction& si) {
     const Float2 a = mesh.corner_st(triangle, 0);
     const Float2 b = mesh.corner_st(triangle, 1);
     const Float2 d = mesh.corner_st(triangle, 2);
     const Vec2 s1{double{b[0]} - a[0], double{b[1]} - a[1]};
     const Vec2 s2{double{d[0]} - a[0], double{d[1]} - a[1]};
     si.st = {a[0] + hit.u * s1.x + hit.v * s2.x, a[1] + hit.u * s1.y + hit.v * s2.y};
+    if (!mesh.has_tangents) return;
     const double determinant = s1.x * s2.y - s1.y * s2.x;
     if (determinant == 0) return;
     si.dpds = (c.e1 * s2.y - c.e2 * s1.y) / determinant;
@@ -54,7 +55,7 @@ SurfaceInteraction interact(const TriangleMesh& mesh, const Ray& ray, const Acce
     const double size = length(area);
     si.n_g = size > 0 ? area / size : -ray.direction;  // a needle that only Embree could hit has no normal
     si.n_s = shading_normal(mesh, triangle, hit, si.n_g);
-    if (!mesh.st.empty()) set_tangents(mesh, triangle, c, hit, si);
+    if (!mesh.st.empty()) set_coordinates(mesh, triangle, c, hit, si);
     return si;
 }
 
@@ -66,7 +67,7 @@ SurfaceInteraction interact(const Quadric& quadric, const Ray& ray, const AccelH
     si.p_error = quadric.parent_from_object.magnitude(quadric.extent()) * 0x1p-48 + abs(si.p) * (2 * kFloatRounding);
     si.n_g = quadric.normal(si.p);
     si.n_s = si.n_g;
-    si.st = quadric.st(si.p);
+    if (quadric.has_coordinates) si.st = quadric.st(si.p);
     return si;
 }
 

@@ -29,6 +29,7 @@ std::shared_ptr<const PlacedGeometry> KnownGeometry::find(const Placement& place
     const auto [first, last] = std::equal_range(placed_.begin(), placed_.end(), placement.geometry, Precedes{});
     const auto same = std::find_if(first, last, [&](const PlacedShape* shape) {
         return shape->placement->as_mesh == placement.as_mesh &&
+               shape->placement->coordinates == placement.coordinates &&
                shape->placement->parent_from_object == placement.parent_from_object;
     });
     return same == last ? nullptr : (*same)->geometry;

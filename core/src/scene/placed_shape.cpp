@@ -10,6 +10,7 @@
 #include "geometry/ray.h"
 #include "geometry/tessellate.h"
 #include "scene/known_geometry.h"
+#include "scene/requirements.h"
 #include "scene/world_origin.h"
 
 namespace etendue {
@@ -62,22 +63,27 @@ void check_reach(const Quadric& quadric, const std::string& name) {
 }
 
 PlacedGeometry place_geometry(const GeometryDesc& desc, const Transform& parent_from_object, const std::string& name,
-                              bool as_mesh) {
+                              bool as_mesh, CoordinateUse coordinates) {
     return std::visit(
         [&](const auto& geometry) -> PlacedGeometry {
             using Kind = std::decay_t<decltype(geometry)>;
             if constexpr (std::is_same_v<Kind, MeshDesc>) {
-                return make_triangle_mesh(geometry, parent_from_object, name);
+                return make_triangle_mesh(geometry, parent_from_object, name, coordinates);
             } else {
                 check_sizes(geometry, name);
                 if constexpr (std::is_same_v<Kind, SphereDesc>) {
                     if (!as_mesh) {
-                        const Quadric sphere{QuadricKind::Sphere, geometry.radius, false, parent_from_object};
+                        const Quadric sphere{QuadricKind::Sphere,
+                                             geometry.radius,
+                                             false,
+                                             parent_from_object,
+                                             0,
+                                             coordinates != CoordinateUse::Unused};
                         check_reach(sphere, name);
                         return sphere;
                     }
                 }
-                return make_triangle_mesh(tessellate(geometry), parent_from_object, name);
+                return make_triangle_mesh(tessellate(geometry), parent_from_object, name, coordinates);
             }
         },
         desc);
@@ -93,22 +99,19 @@ Transform transform_of(const ShapeDesc& shape, const Matrix4& parent_from_object
 
 }  // namespace
 
-bool is_emissive(const MaterialDesc& material) {
-    return material.emission.texture >= 0 || max_component(Rgb(material.emission.value)) > 0;
-}
-
 bool is_emissive(const ShapeDesc& shape, const SceneDescription& scene) {
     return std::any_of(shape.materials.begin(), shape.materials.end(), [&](int material) {
         return is_emissive(scene.materials.at(static_cast<std::size_t>(material)));
     });
 }
 
-PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh, const KnownGeometry& known,
-                        const Vec3& origin) {
+PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh,
+                        const std::vector<CoordinateUse>& coordinates, const KnownGeometry& known, const Vec3& origin) {
     check_indices(shape, scene);
     const SharedGeometry& geometry = scene.geometries[static_cast<std::size_t>(shape.geometry)];
     const bool triangles = as_mesh || is_emissive(shape, scene);
-    const Placement placement{geometry.pointer(), relative_to(origin, shape.parent_from_object), triangles};
+    const Placement placement{geometry.pointer(), relative_to(origin, shape.parent_from_object), triangles,
+                              coordinates[static_cast<std::size_t>(shape.geometry)]};
     PlacedShape placed;
     placed.name = shape.name;
     placed.materials = shape.materials;
@@ -116,7 +119,8 @@ PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, b
     placed.geometry = known.find(placement);
     if (!placed.geometry) {
         placed.geometry = std::make_shared<const PlacedGeometry>(
-            place_geometry(*geometry, transform_of(shape, placement.parent_from_object), shape.name, triangles));
+            place_geometry(*geometry, transform_of(shape, placement.parent_from_object), shape.name, triangles,
+                           placement.coordinates));
     }
     if (const auto* mesh = std::get_if<TriangleMesh>(placed.geometry.get())) check_slots(*mesh, shape);
     return placed;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <etendue/requirements.h>
 #include <etendue/scene_description.h>
 
 #include "accel/embree_accel.h"
@@ -19,6 +20,7 @@ struct Placement {
     std::weak_ptr<const GeometryDesc> geometry;
     Matrix4 parent_from_object;
     bool as_mesh = false;
+    CoordinateUse coordinates = CoordinateUse::Unused;
 };
 
 /// A shape ready to be traced, in world space or in its group's.
@@ -31,12 +33,12 @@ struct PlacedShape {
 };
 
 /// Checks and places one shape, relative to `origin` in its parent. `as_mesh` asks for triangles even where an exact
-/// surface exists. Takes over what is known. Throws SceneError naming the shape.
+/// surface exists. `coordinates` is by geometry. Takes over what is known. Throws SceneError naming the shape.
 [[nodiscard]] PlacedShape place_shape(const ShapeDesc& shape, const SceneDescription& scene, bool as_mesh,
-                                      const KnownGeometry& known, const Vec3& origin = {});
+                                      const std::vector<CoordinateUse>& coordinates, const KnownGeometry& known,
+                                      const Vec3& origin = {});
 
 /// Whether any slot's material emits.
 [[nodiscard]] bool is_emissive(const ShapeDesc& shape, const SceneDescription& scene);
-[[nodiscard]] bool is_emissive(const MaterialDesc& material);
 
 }  // namespace etendue

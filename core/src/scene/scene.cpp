@@ -1,8 +1,10 @@
 #include "scene/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -18,6 +20,7 @@
 #include "scene/light_triangles.h"
 #include "scene/material_glow.h"
 #include "scene/media_probe.h"
+#include "scene/requirements.h"
 #include "scene/world_origin.h"
 #include "texture/udim.h"
 
@@ -75,6 +78,15 @@ std::vector<TextureDesc> all_textures(const SceneDescription& description) {
     return textures;
 }
 
+/// The materials by their index; in place of one that nothing is made of, one that needs nothing.
+std::vector<MaterialDesc> needed_materials(const SceneDescription& description, const Requirements& needs) {
+    std::vector<MaterialDesc> materials(description.materials.size());
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        if (needs.materials[i]) materials[i] = description.materials[i];
+    }
+    return materials;
+}
+
 std::vector<LightDesc> relative_lights(const SceneDescription& description, const Vec3& origin) {
     std::vector<LightDesc> lights = description.lights;
     for (LightDesc& light : lights) light.world_from_light = relative_to(origin, light.world_from_light);
@@ -83,17 +95,20 @@ std::vector<LightDesc> relative_lights(const SceneDescription& description, cons
 
 }  // namespace
 
-Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths,
-             const Vec3& origin, const Scene* before)
-    : materials_(description.materials), absorption_(materials_) {
-    make_textures(all_textures(description), before);
+Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points)
+    : Scene(description, lens_points, {find_requirements(description, {})}) {}
+
+Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, const SceneOptions& options)
+    : materials_(needed_materials(description, options.needs)), absorption_(materials_) {
+    make_textures(description, options);
     for (const MaterialDesc& material : materials_) check_material(material, description.textures.size());
-    const std::vector<LightDesc> lights = relative_lights(description, origin);
-    const KnownGeometry known = before != nullptr ? before->known_geometry() : KnownGeometry{};
-    place_shapes(description, origin, known);
-    place_instances(description, origin);
+    const std::vector<LightDesc> lights = relative_lights(description, options.origin);
+    const KnownGeometry known = options.before != nullptr ? options.before->known_geometry() : KnownGeometry{};
+    place_shapes(description, options, known);
+    place_instances(description, options.origin);
     place_light_shapes(lights, known);
-    build_accel(before);
+    if (options.spent != nullptr) options.spent->geometries.clear();
+    build_accel(options.before);
     bounds_ = find_bounds(lens_points);
     check_instances(description);
     make_lights(lights, description.textures.size());
@@ -102,13 +117,18 @@ Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_
     if (absorbs()) {
         for (const auto& light : lights_) light_media_.push_back(media_before(*this, *light));
     }
-    if (light_paths) emission_ = EmissionAim(cluster(find_casters(), EmissionAim::kMostTargets));
+    if (options.needs.light_paths) emission_ = EmissionAim(cluster(find_casters(), EmissionAim::kMostTargets));
 }
 
-void Scene::make_textures(std::vector<TextureDesc> descs, const Scene* before) {
-    const bool same = before != nullptr && before->texture_descs_ == descs;
-    textures_ = same ? before->textures_ : std::make_shared<const TextureSet>(descs);
-    texture_descs_ = std::move(descs);
+void Scene::make_textures(const SceneDescription& description, const SceneOptions& options) {
+    texture_files_ = {all_textures(description), {}, options.texture_memory};
+    texture_files_.unused.resize(texture_files_.descs.size());
+    std::transform(options.needs.textures.begin(), options.needs.textures.end(), texture_files_.unused.begin(),
+                   [](const std::array<bool, 4>& channels) { return channels == std::array<bool, 4>{}; });
+    const bool same = options.before != nullptr && options.before->texture_files_ == texture_files_;
+    textures_ = same ? options.before->textures_
+                     : std::make_shared<const TextureSet>(texture_files_.descs, texture_files_.megabytes,
+                                                          texture_files_.unused);
 }
 
 KnownGeometry Scene::known_geometry() const {
@@ -119,15 +139,20 @@ KnownGeometry Scene::known_geometry() const {
     return known;
 }
 
-void Scene::place_shapes(const SceneDescription& description, const Vec3& origin, const KnownGeometry& known) {
+void Scene::place_shapes(const SceneDescription& description, const SceneOptions& options, const KnownGeometry& known) {
+    const std::vector<CoordinateUse>& coordinates = options.needs.texture_coordinates;
     const std::vector<int> light_of_shape = mesh_light_shapes(description);
     for (std::size_t i = 0; i < description.shapes.size(); ++i) {
-        shapes_.push_back(place_shape(description.shapes[i], description, light_of_shape[i] >= 0, known, origin));
+        shapes_.push_back(place_shape(description.shapes[i], description, light_of_shape[i] >= 0, coordinates, known,
+                                      options.origin));
     }
-    for (const GroupDesc& group : description.groups) {
-        std::vector<PlacedShape> shapes;
-        for (const ShapeDesc& shape : group.shapes) shapes.push_back(place_shape(shape, description, false, known));
-        groups_.push_back(std::move(shapes));
+    const std::vector<bool> placed = placed_groups(description);
+    groups_.resize(placed.size());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        if (!placed[i]) continue;
+        for (const ShapeDesc& shape : description.groups[i].shapes) {
+            groups_[i].push_back(place_shape(shape, description, false, coordinates, known));
+        }
     }
 }
 
@@ -312,6 +337,28 @@ std::optional<SurfaceInteraction> Scene::intersect(const Ray& ray) const {
         si.light = instance.lights[hit->geometry][slot];
     }
     return si;
+}
+
+MemoryUse Scene::memory_use() const {
+    std::set<const PlacedGeometry*> seen;  // groups may share
+    MemoryUse use;
+    const auto add = [&](const std::vector<PlacedShape>& shapes) {
+        for (const PlacedShape& shape : shapes) {
+            const auto* mesh = std::get_if<TriangleMesh>(shape.geometry.get());
+            if (mesh != nullptr && seen.insert(shape.geometry.get()).second) use.vertices += mesh->memory_used();
+        }
+    };
+    add(shapes_);
+    for (const auto& group : groups_) add(group);
+    use.acceleration = static_cast<std::size_t>(accel_->memory_used());
+    use.lights = light_sampler_->memory_used();
+    for (const auto& light : lights_) use.lights += light->memory_used();
+    const std::vector<bool>& unused = texture_files_.unused;
+    if (std::find(unused.begin(), unused.end(), false) != unused.end()) {
+        use.textures = static_cast<std::size_t>(textures_->memory_used());
+        use.textures_limit = static_cast<std::size_t>(texture_files_.megabytes * 0x1p20);
+    }
+    return use;
 }
 
 std::optional<PickedSurface> Scene::pick(const Ray& ray) const {

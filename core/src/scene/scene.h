@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <etendue/picked_surface.h>
+#include <etendue/requirements.h>
 #include <etendue/scene_description.h>
 
 #include "accel/embree_accel.h"
@@ -31,15 +32,29 @@ struct RayEnd {
     static RayEnd free(const Vec3& p) { return {p, {}, {}}; }
 };
 
+class Scene;
+
+struct SceneOptions {
+    /// What there has to be; of anything else nothing is built, opened or checked. Without light paths nobody will ask
+    /// where these had best go, and Scene::emission() is each light's own.
+    const Requirements& needs;
+    Vec3 origin{};  ///< from which positions are measured (world_origin.h)
+    double texture_memory = kDefaultTextureMemory;
+    /// An earlier scene: what it has built alike is taken over.
+    const Scene* before = nullptr;
+    /// The description itself, if nobody has a use for it any more: its geometries go once all shapes are placed.
+    SceneDescription* spent = nullptr;
+};
+
 /// Everything that paths meet, ready to be traced. Immutable; safe to use from any number of threads.
 class Scene {
 public:
-    /// `lens_points` are positions that light must be able to reach besides the geometry (cameras with a lens). Without
-    /// `light_paths` nobody will ask where these had best go, and emission() is each light's own. All positions, those
-    /// of `lens_points` too, are relative to `origin` (world_origin.h). Takes over what an earlier scene, `before`, has
-    /// built alike. Throws SceneError or FileError naming the prim or file.
-    Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, bool light_paths = true,
-          const Vec3& origin = {}, const Scene* before = nullptr);
+    /// `lens_points` are positions that light must be able to reach besides the geometry (cameras with a lens). All
+    /// positions, those of `lens_points` too, are relative to `options.origin`. Throws SceneError or FileError naming
+    /// the prim or file.
+    Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, const SceneOptions& options);
+    /// For a render with the default settings.
+    Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points);
     // Lights refer to the textures and materials in here.
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
@@ -51,6 +66,8 @@ public:
     /// Whether nothing lies from `a` along the unit `direction`.
     [[nodiscard]] bool sees_infinity(const RayEnd& a, const Vec3& direction) const;
 
+    /// All but the film's.
+    [[nodiscard]] MemoryUse memory_use() const;
     [[nodiscard]] const SceneBounds& bounds() const { return bounds_; }
 
     /// Surfaces without a material (lights' own shapes) absorb everything.
@@ -82,14 +99,22 @@ public:
     [[nodiscard]] bool needs_light_paths() const;
 
 private:
+    /// All that the textures depend on.
+    struct TextureFiles {
+        std::vector<TextureDesc> descs;  ///< the scene's, then the lights'
+        std::vector<bool> unused;
+        double megabytes = 0;
+
+        [[nodiscard]] bool operator==(const TextureFiles&) const = default;
+    };
     struct Instance {
         std::size_t group;
         Transform world_from_group;
         std::vector<std::vector<int>> lights;  ///< [shape][slot]; empty: none
     };
 
-    void make_textures(std::vector<TextureDesc> descs, const Scene* before);
-    void place_shapes(const SceneDescription& description, const Vec3& origin, const KnownGeometry& known);
+    void make_textures(const SceneDescription& description, const SceneOptions& options);
+    void place_shapes(const SceneDescription& description, const SceneOptions& options, const KnownGeometry& known);
     void place_instances(const SceneDescription& description, const Vec3& origin);
     void place_light_shapes(const std::vector<LightDesc>& lights, const KnownGeometry& known);
     [[nodiscard]] KnownGeometry known_geometry() const;
@@ -106,7 +131,7 @@ private:
     int add_light(std::unique_ptr<Light> light);
     [[nodiscard]] std::vector<Sphere> find_casters() const;
 
-    std::vector<TextureDesc> texture_descs_;
+    TextureFiles texture_files_;
     std::shared_ptr<const TextureSet> textures_;
     std::vector<MaterialDesc> materials_;
     Absorption absorption_;

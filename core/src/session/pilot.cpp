@@ -108,8 +108,9 @@ RenderSettings pilot_settings(const RenderSettings& settings) {
     return small;
 }
 
-Pilot::Pilot(const Scene& scene, const Camera& camera, const RenderSettings& settings, const std::atomic<bool>& stop)
-    : scene_(scene), camera_(camera), settings_(settings), stop_(stop) {}
+Pilot::Pilot(const Scene& scene, const Camera& camera, const RenderSettings& settings, const StrategySet& strategies,
+             const std::atomic<bool>& stop)
+    : scene_(scene), camera_(camera), settings_(settings), strategies_(strategies), stop_(stop) {}
 
 double Pilot::cost(const ChosenMethod& method) {
     const Trial& tried = trial(method);
@@ -217,16 +218,17 @@ RenderContext Pilot::context(const RenderSettings& settings) const {
             settings,
             Filter(settings.filter),
             render_window(settings),
+            strategies_,
             false,
             false,
             media_at(scene_, camera_.position())};
 }
 
 ChosenMethod choose_method(const RenderSettings& settings, const Scene& scene, const Camera& camera,
-                           const std::atomic<bool>& stop) {
+                           const StrategySet& strategies, const std::atomic<bool>& stop) {
     if (scene.light_count() == 0 || settings.max_depth == 0) return {IntegratorKind::Path, {}};
     if (!worth_a_pilot(settings)) return {};
-    Pilot pilot(scene, camera, pilot_settings(settings), stop);
+    Pilot pilot(scene, camera, pilot_settings(settings), strategies, stop);
     const bool path_finds_all = !scene.needs_light_paths();
     const auto cost = [&](const ChosenMethod& method) {
         const bool may = method.integrator != IntegratorKind::Path || path_finds_all;

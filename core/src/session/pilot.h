@@ -18,7 +18,9 @@ namespace etendue {
 class Pilot {
 public:
     /// Both have to live as long as it does; the settings are pilot_settings(). A pilot that `stop` ends says anything.
-    Pilot(const Scene& scene, const Camera& camera, const RenderSettings& settings, const std::atomic<bool>& stop);
+    /// `strategies`: of Requirements.
+    Pilot(const Scene& scene, const Camera& camera, const RenderSettings& settings, const StrategySet& strategies,
+          const std::atomic<bool>& stop);
 
     /// As MethodCost has it.
     [[nodiscard]] double cost(const ChosenMethod& method);
@@ -46,6 +48,7 @@ private:
     const Scene& scene_;
     const Camera& camera_;
     RenderSettings settings_;
+    StrategySet strategies_;
     const std::atomic<bool>& stop_;
     std::deque<Trial> trials_;
 };
@@ -54,6 +57,6 @@ private:
 /// render is so long that its time does not count; this is told by the limits, not by the speed: the same settings do
 /// the same on any machine. Else by what the scene holds alone.
 [[nodiscard]] ChosenMethod choose_method(const RenderSettings& settings, const Scene& scene, const Camera& camera,
-                                         const std::atomic<bool>& stop);
+                                         const StrategySet& strategies, const std::atomic<bool>& stop);
 
 }  // namespace etendue

@@ -13,7 +13,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "film/asks_for.h"
 #include "film/film.h"
 #include "integrator/integrator.h"
 #include "scene/media_probe.h"
@@ -24,6 +23,7 @@
 #include "session/pilot.h"
 #include "session/sample_plan.h"
 #include "session/validate_settings.h"
+#include "util/asks_for.h"
 #include "util/hand_over.h"
 
 namespace etendue {
@@ -52,13 +52,15 @@ std::vector<Vec3> lens_points(const Camera& camera) {
     return {camera.position()};
 }
 
-RenderContext make_context(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
+RenderContext make_context(const Scene& scene, const Camera& camera, const RenderSettings& settings,
+                           const Requirements& needs) {
     return {scene,
             camera,
             settings,
             Filter(settings.filter),
             render_window(settings),
-            asks_for(settings, {Aov::Alpha, Aov::Depth, Aov::Normal, Aov::Albedo}),
+            needs.strategies,
+            needs.first_surface,
             asks_for(settings, {Aov::Albedo}),
             media_at(scene, camera.position())};
 }
@@ -90,15 +92,18 @@ ErrorEstimate estimate_error(const RelativeError& error, const PixelFilter& filt
 
 class RenderSession::Impl {
 public:
-    Impl(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback, const Impl* before)
+    /// `spent` is the scene, if it need not be kept.
+    Impl(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback, const Impl* before,
+         SceneDescription* spent)
         : settings_(settings),
           callback_(std::move(callback)),
           origin_(checked_origin(scene, settings_)),
+          needs_(find_requirements(scene, settings_)),
           arena_(thread_count(settings_)),
-          scene_(scene, lens_points(make_camera(scene, settings_, origin_)), traces_light_paths(settings_), origin_,
-                 before != nullptr ? &before->scene_ : nullptr),
+          scene_(scene, lens_points(make_camera(scene, settings_, origin_)),
+                 {needs_, origin_, settings_.texture_memory, before != nullptr ? &before->scene_ : nullptr, spent}),
           camera_(off_surfaces(scene_, make_camera(scene, settings_, origin_))),
-          integrator_(make_integrator(make_context(scene_, camera_, settings_))),
+          integrator_(make_integrator(make_context(scene_, camera_, settings_, needs_))),
           runner_(std::in_place, *integrator_, render_window(settings_)),
           plan_(runner_->tiles()),
           film_(settings_, render_window(settings_), integrator_->image_strategies()),
@@ -180,6 +185,15 @@ public:
         return image;
     }
 
+    [[nodiscard]] const Requirements& requirements() const { return needs_; }
+
+    [[nodiscard]] MemoryUse memory_use() const {
+        MemoryUse use = scene_.memory_use();
+        const std::lock_guard lock(film_mutex_);
+        use.film = film_.memory_used(integrator_->light_paths_per_pass() > 0);
+        return use;
+    }
+
     [[nodiscard]] std::optional<PickedSurface> pick(double x, double y) const {
         const CameraRay ray = camera_.generate_ray({x, y}, {0.5, 0.5});
         return scene_.pick({ray.origin, ray.direction});
@@ -224,12 +238,15 @@ private:
 
     /// Only the render's own thread knows of the integrator.
     void choose() {
-        const ChosenMethod method = choose_method(settings_, scene_, *pilot_camera_, stop_);
+        const ChosenMethod method = choose_method(settings_, scene_, *pilot_camera_, needs_.strategies, stop_);
         chosen_settings_ = settings_;
         chosen_settings_.integrator = method.integrator;
         chosen_settings_.light_paths_per_pixel = method.light_paths_per_pixel;
         runner_.reset();
-        integrator_ = make_integrator(make_context(scene_, camera_, chosen_settings_));
+        {
+            const std::lock_guard lock(film_mutex_);  // of memory_use()
+            integrator_ = make_integrator(make_context(scene_, camera_, chosen_settings_, needs_));
+        }
         runner_.emplace(*integrator_, render_window(settings_));
         const std::lock_guard lock(state_mutex_);
         chosen_ = method;
@@ -282,6 +299,7 @@ private:
     RenderSettings settings_;
     ProgressCallback callback_;
     Vec3 origin_;  ///< from which positions are measured
+    Requirements needs_;
     tbb::task_arena arena_;
     Scene scene_;
     Camera camera_;
@@ -314,7 +332,11 @@ private:
 RenderSession::RenderSession(const SceneDescription& scene, const RenderSettings& settings, ProgressCallback callback,
                              const RenderSession* before)
     : impl_(std::make_unique<Impl>(scene, settings, std::move(callback),
-                                   before != nullptr ? before->impl_.get() : nullptr)) {}
+                                   before != nullptr ? before->impl_.get() : nullptr, nullptr)) {}
+RenderSession::RenderSession(SceneDescription&& scene, const RenderSettings& settings, ProgressCallback callback,
+                             const RenderSession* before)
+    : impl_(std::make_unique<Impl>(scene, settings, std::move(callback),
+                                   before != nullptr ? before->impl_.get() : nullptr, &scene)) {}
 RenderSession::~RenderSession() = default;
 RenderSession::RenderSession(RenderSession&&) noexcept = default;
 RenderSession& RenderSession::operator=(RenderSession&&) noexcept = default;
@@ -326,6 +348,8 @@ void RenderSession::wait() { impl_->wait(); }
 bool RenderSession::wait_for(double seconds) { return impl_->wait_for(seconds); }
 RenderProgress RenderSession::progress() const { return impl_->progress(); }
 RenderedImage RenderSession::snapshot() const { return impl_->snapshot(); }
+const Requirements& RenderSession::requirements() const { return impl_->requirements(); }
+MemoryUse RenderSession::memory_use() const { return impl_->memory_use(); }
 std::optional<PickedSurface> RenderSession::pick(double x, double y) const { return impl_->pick(x, y); }
 
 }  // namespace etendue

@@ -58,6 +58,8 @@ void validate_settings(const RenderSettings& settings, const SceneDescription& s
         settings.integrator != IntegratorKind::Auto || (s.emission_hit && s.direct_light && s.connection &&
                                                         s.light_image && s.lens_hit && !settings.light_paths_per_pixel),
         "the auto integrator chooses strategies and light paths itself");
+    require(settings.texture_memory > 0 && std::isfinite(settings.texture_memory),
+            "the texture memory must be positive");
     require(settings.threads >= 0, "the number of threads must not be negative");
     require(light_paths >= 0 && std::isfinite(light_paths), "light paths per pixel must not be negative");
     require(light_paths <= kMostLightPathsPerPixel, "too many light paths per pixel");

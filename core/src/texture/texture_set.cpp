@@ -121,9 +121,11 @@ const CachedImage* select_image(const Texture& texture, double& s, double& t) {
 
 class TextureSet::Impl {
 public:
-    Impl(std::span<const TextureDesc> descriptions, double memory_megabytes) : cache(memory_megabytes) {
-        textures.reserve(descriptions.size());
-        for (const TextureDesc& desc : descriptions) textures.push_back(open_texture(desc, cache));
+    Impl(std::span<const TextureDesc> descriptions, double memory_megabytes, const std::vector<bool>& unused)
+        : cache(memory_megabytes), textures(descriptions.size()) {
+        for (std::size_t i = 0; i < textures.size(); ++i) {
+            if (unused.empty() || !unused[i]) textures[i] = open_texture(descriptions[i], cache);
+        }
     }
 
     [[nodiscard]] Value lookup(const Texture& texture, double s, double t);
@@ -164,8 +166,8 @@ TextureSet::Value TextureSet::Impl::value(const Texture& texture, const std::opt
     return value;
 }
 
-TextureSet::TextureSet(std::span<const TextureDesc> textures, double memory_megabytes)
-    : impl_(std::make_unique<Impl>(textures, memory_megabytes)) {}
+TextureSet::TextureSet(std::span<const TextureDesc> textures, double memory_megabytes, const std::vector<bool>& unused)
+    : impl_(std::make_unique<Impl>(textures, memory_megabytes, unused)) {}
 TextureSet::~TextureSet() = default;
 TextureSet::TextureSet(TextureSet&&) noexcept = default;
 TextureSet& TextureSet::operator=(TextureSet&&) noexcept = default;

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
+#include <etendue/render_settings.h>
 #include <etendue/scene_description.h>
 
 namespace etendue {
@@ -22,15 +24,15 @@ namespace etendue {
 /// to 1100 that exist; each clamps at its edges, and where none is the value is the fallback.
 class TextureSet {
 public:
-    static constexpr double kDefaultMemoryMegabytes = 1024;
-
     using Value = std::array<double, 4>;
 
     /// Opens every file and decodes the end of it, so that what cannot be read is known here: throws FileError naming
     /// the prim, the file and the reason. (The readers of jpeg and tiff fill in what a file cut short lacks.) Files
     /// without tiles (png, jpeg, ...) count as one tile, which stays in the cache until the limit needs the room; each
-    /// thread may hold up to TextureCache::kHeldTiles tiles beyond it.
-    explicit TextureSet(std::span<const TextureDesc> textures, double memory_megabytes = kDefaultMemoryMegabytes);
+    /// thread may hold up to TextureCache::kHeldTiles tiles beyond it. `unused`, by texture, marks those that nobody
+    /// will look up: they are not opened.
+    explicit TextureSet(std::span<const TextureDesc> textures, double memory_megabytes = kDefaultTextureMemory,
+                        const std::vector<bool>& unused = {});
     ~TextureSet();
     TextureSet(TextureSet&&) noexcept;
     TextureSet& operator=(TextureSet&&) noexcept;

@@ -102,8 +102,11 @@ class GeometryReader:
             faces[indices[valid]] = materials.index(material)
         return faces
 
-    def _st_name(self, prim: Usd.Prim, materials: list[BoundMaterial]) -> str:
-        names = list(dict.fromkeys(material.st for material in materials))
+    def _st_name(self, prim: Usd.Prim, materials: list[BoundMaterial]) -> str | None:
+        """None when no material has a texture."""
+        names = list(dict.fromkeys(material.st for material in materials if material.st))
+        if not names:
+            return None
         textured = [name for name in names if prim.HasAttribute(f"primvars:{name}")]
         if len(textured) > 1:
             self._context.report.warn(

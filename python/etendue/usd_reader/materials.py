@@ -15,7 +15,7 @@ from etendue.usd_reader.context import ReadContext, SkippingUnusable
 from etendue.usd_reader.networks import shader_id
 from etendue.usd_reader.primvars import read_primvar
 from etendue.usd_reader.shader_inputs import ShaderInputs
-from etendue.usd_reader.textures import DEFAULT_ST, TextureReader
+from etendue.usd_reader.textures import TextureReader
 
 _Reader = Callable[[ReadContext, ShaderInputs], _core.MaterialDesc]
 
@@ -33,7 +33,7 @@ class BoundMaterial:
     """An index into SceneDescription.materials and what geometry needs to know of it."""
 
     index: int
-    st: str = DEFAULT_ST
+    st: str | None = None  # the texture coordinates that its textures are read at
     emits: bool = False
 
 
@@ -118,7 +118,7 @@ class MaterialReader:
             )
         emits = desc.emission.texture >= 0 or any(value > 0 for value in desc.emission.value)
         index = self._context.scene.add_material(desc)
-        return BoundMaterial(index, inputs.st_names[0] if inputs.st_names else DEFAULT_ST, emits)
+        return BoundMaterial(index, inputs.st_names[0] if inputs.st_names else None, emits)
 
     def _warn_dangling(self, prim: Usd.Prim) -> None:
         targets = UsdShade.MaterialBindingAPI(prim).GetDirectBindingRel().GetTargets()

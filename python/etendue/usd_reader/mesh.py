@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +16,7 @@ from etendue.usd_reader.primvars import PrimvarValues, read_primvar
 _Floats = npt.NDArray[np.float32]
 _Ints = npt.NDArray[np.int32]
 _Mask = npt.NDArray[np.bool_]
+_Scalar = TypeVar("_Scalar", bound=np.generic)
 
 _INTERPOLATIONS = {
     "constant": _core.Interpolation.Constant,
@@ -43,11 +45,12 @@ class Topology:
 
 
 def read_mesh(
-    context: ReadContext, prim: Usd.Prim, st_name: str, face_materials: _Ints | None
+    context: ReadContext, prim: Usd.Prim, st_name: str | None, face_materials: _Ints | None
 ) -> _core.MeshDesc | None:
     """The mesh, or None (after a warning that names the prim and the reason) when it is unusable.
 
-    `face_materials` has one entry per authored face.
+    Without a `st_name` no texture coordinates are read. `face_materials` has one entry per authored
+    face.
     """
     mesh = UsdGeom.Mesh(prim)
     try:
@@ -62,14 +65,15 @@ def read_mesh(
 
     desc = _core.MeshDesc(
         points=points,
-        face_vertex_counts=topology.counts[kept],
-        face_vertex_indices=topology.indices[kept[topology.corner_faces]],
+        face_vertex_counts=_of_kept(topology.counts, kept),
+        face_vertex_indices=_of_kept_corners(topology.indices, topology, kept),
         left_handed=mesh.GetOrientationAttr().Get(context.time) == UsdGeom.Tokens.leftHanded,
     )
     if face_materials is not None:
         desc.face_materials = face_materials[kept]
     _set_normals(context, mesh, topology, points, kept, desc)
-    _set_st(context, prim, st_name, topology, len(points), kept, desc)
+    if st_name is not None:
+        _set_st(context, prim, st_name, topology, len(points), kept, desc)
     return desc
 
 
@@ -122,6 +126,18 @@ def _kept_faces(context: ReadContext, mesh: UsdGeom.Mesh, topology: Topology) ->
     if not kept.any():
         raise UnusableMeshError("no face is left")
     return kept
+
+
+def _of_kept(values: npt.NDArray[_Scalar], kept: _Mask) -> npt.NDArray[_Scalar]:
+    """One value per face. Nothing is copied where all faces stay, which is the usual case."""
+    return values if kept.all() else values[kept]
+
+
+def _of_kept_corners(
+    values: npt.NDArray[_Scalar], topology: Topology, kept: _Mask
+) -> npt.NDArray[_Scalar]:
+    """One value per corner."""
+    return values if kept.all() else values[kept[topology.corner_faces]]
 
 
 # -------------------------------------------------------------------------------------- primvars
@@ -222,9 +238,9 @@ def _interpolated(
         )
         return None
     if interpolation == "uniform":
-        values = values[kept]
+        values = _of_kept(values, kept)
     elif interpolation == "faceVarying":
-        values = values[kept[topology.corner_faces]]
+        values = _of_kept_corners(values, topology, kept)
     return values[:, :channels].astype(np.float32), interpolation
 
 

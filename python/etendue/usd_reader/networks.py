@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from pxr import Usd, UsdShade
+from pxr import Sdf, Usd, UsdShade
 
 from etendue.usd_reader.context import ReadContext
 
@@ -75,3 +75,12 @@ def constant_input(context: ReadContext, shader: UsdShade.Shader, name: str, def
         f"input '{name}' may only be a constant here; {default} is used",
     )
     return default
+
+
+def warn_ring(context: ReadContext, node: Sdf.Path, what: str, instead: str) -> None:
+    """Nodes that are fed by themselves: nothing can be said of what they give."""
+    context.report.warn(
+        f"ring of nodes {node}",
+        node,
+        f"the nodes {what} feed each other in a ring; {instead}",
+    )

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from pxr import UsdShade
+from pxr import Sdf, UsdShade
 
 from etendue import _core
 from etendue.usd_reader.colors import to_rendering_space
@@ -17,6 +17,7 @@ from etendue.usd_reader.networks import (
     constant_input,
     resolve_input,
     shader_id,
+    warn_ring,
 )
 from etendue.usd_reader.textures import TextureReader, is_image, is_usd_texture
 
@@ -55,9 +56,9 @@ class ShaderInputs:
                 f"'{source.output}'; the texture's rgb is used",
             )
         read = self._textures.read(source, multiplier=multiplier)
-        self._use_st(read.st)
         if read.index < 0:
             return _core.ColorInput(value=read.fallback[:3])
+        self._use_st(read.st)
         return _core.ColorInput(texture=read.index)
 
     def number(self, name: str, default: _core.FloatInput) -> _core.FloatInput:
@@ -71,10 +72,10 @@ class ShaderInputs:
             self._warn_node(source, name)
             return default
         read = self._textures.read(source)
-        self._use_st(read.st)
         channel = _CHANNELS.get(source.output, 0)
         if read.index < 0:
             return _core.FloatInput(value=read.fallback[channel])
+        self._use_st(read.st)
         return _core.FloatInput(texture=read.index, channel=channel)
 
     def constant(self, name: str, default: Any) -> Any:
@@ -96,7 +97,8 @@ class ShaderInputs:
             self._warn_node(source, name)
             return -1
         read = self._textures.read(source, data=True, unpack_normal=unpack)
-        self._use_st(read.st)
+        if read.index >= 0:
+            self._use_st(read.st)
         return read.index
 
     def is_authored(self, name: str, default: float | Sequence[float]) -> bool:
@@ -111,20 +113,30 @@ class ShaderInputs:
     def _resolve(self, shader: UsdShade.Shader, name: str) -> Constant | NodeOutput | None:
         """resolve_input through the nodes that only pass a constant on."""
         source = resolve_input(self._context, shader, name)
-        if not isinstance(source, NodeOutput):
-            return source
-        if source.node_id.startswith("ND_constant_"):
-            return self._resolve(source.shader, "value")
-        if source.node_id.startswith(_PRIMVAR_READERS):
-            self._context.report.warn(
-                f"primvar reader {shader_id(self.shader)}.{name}",
-                source.shader.GetPath(),
-                f"input '{name}' reads a primvar, which is supported for texture coordinates "
-                "only; the reader's fallback is used",
-            )
-            fallback = "default" if "geompropvalue" in source.node_id else "fallback"
-            return self._resolve(source.shader, fallback)
+        seen: set[Sdf.Path] = set()
+        while isinstance(source, NodeOutput):
+            if source.node_id.startswith("ND_constant_"):
+                passed_on = "value"
+            elif source.node_id.startswith(_PRIMVAR_READERS):
+                passed_on = "default" if "geompropvalue" in source.node_id else "fallback"
+                self._warn_primvar(source, name)
+            else:
+                return source
+            path = source.shader.GetPath()
+            if path in seen:
+                warn_ring(self._context, path, f"of input '{name}'", "its default is used")
+                return None
+            seen.add(path)
+            source = resolve_input(self._context, source.shader, passed_on)
         return source
+
+    def _warn_primvar(self, source: NodeOutput, name: str) -> None:
+        self._context.report.warn(
+            f"primvar reader {shader_id(self.shader)}.{name}",
+            source.shader.GetPath(),
+            f"input '{name}' reads a primvar, which is supported for texture coordinates only; "
+            "the reader's fallback is used",
+        )
 
     def _constant_color(
         self, name: str, source: Constant, multiplier: float, default: _core.ColorInput

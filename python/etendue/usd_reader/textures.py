@@ -18,6 +18,7 @@ from etendue.usd_reader.networks import (
     constant_input,
     resolve_input,
     shader_id,
+    warn_ring,
 )
 from etendue.usd_reader.texture_files import file_color_space, texture_file
 
@@ -39,6 +40,8 @@ _COLOR_SPACES = {
     "raw": _core.TextureColorSpace.Raw,
     "sRGB": _core.TextureColorSpace.Srgb,
 }
+
+_TRANSFORMS = ("UsdTransform2d", "ND_UsdTransform2d")
 
 DEFAULT_ST = "st"
 
@@ -195,28 +198,36 @@ class TextureReader:
     def _texture_coordinates(self, shader: UsdShade.Shader, name: str) -> tuple[str, _Affine]:
         """The primvar that the texture is read at, and the affine map applied to it, (3, 3)."""
         context = self._context
+        affine = np.eye(3)
+        seen: set[Sdf.Path] = set()
         source = resolve_input(context, shader, name)
-        if source is None:
-            return DEFAULT_ST, np.eye(3)
+        while isinstance(source, NodeOutput) and source.node_id in _TRANSFORMS:
+            path = source.shader.GetPath()
+            if path in seen:
+                warn_ring(context, path, "of texture coordinates", "primvar 'st' is used")
+                return DEFAULT_ST, np.eye(3)
+            seen.add(path)
+            affine = affine @ self._transform_2d(source.shader)
+            source = resolve_input(context, source.shader, "in")
         if isinstance(source, Constant):
-            return DEFAULT_ST, _affine(np.zeros((2, 2)), source.value)
+            return DEFAULT_ST, affine @ _affine(np.zeros((2, 2)), source.value)
+        return DEFAULT_ST if source is None else self._primvar(source), affine
+
+    def _primvar(self, source: NodeOutput) -> str:
+        """The name of the primvar that a node reads."""
         node = source.node_id
         if node in ("UsdPrimvarReader_float2", "ND_UsdPrimvarReader_vector2"):
-            name = str(constant_input(context, source.shader, "varname", DEFAULT_ST))
-            return name or DEFAULT_ST, np.eye(3)
+            name = str(constant_input(self._context, source.shader, "varname", DEFAULT_ST))
+            return name or DEFAULT_ST
         if node == "ND_geompropvalue_vector2":
-            return str(constant_input(context, source.shader, "geomprop", DEFAULT_ST)), np.eye(3)
-        if node == "ND_texcoord_vector2":
-            return DEFAULT_ST, np.eye(3)
-        if node in ("UsdTransform2d", "ND_UsdTransform2d"):
-            st, inner = self._texture_coordinates(source.shader, "in")
-            return st, self._transform_2d(source.shader) @ inner
-        context.report.warn(
-            f"texture coordinate node {node}",
-            source.shader.GetPath(),
-            f"node '{node}' is not supported for texture coordinates; primvar 'st' is used",
-        )
-        return DEFAULT_ST, np.eye(3)
+            return str(constant_input(self._context, source.shader, "geomprop", DEFAULT_ST))
+        if node != "ND_texcoord_vector2":
+            self._context.report.warn(
+                f"texture coordinate node {node}",
+                source.shader.GetPath(),
+                f"node '{node}' is not supported for texture coordinates; primvar 'st' is used",
+            )
+        return DEFAULT_ST
 
     def _transform_2d(self, shader: UsdShade.Shader) -> _Affine:
         """UsdTransform2d: scale, then rotate counter-clockwise, then translate."""

@@ -29,7 +29,7 @@ public:
         : settings_(make_settings(heuristic)),
           camera_(description.cameras[0], settings_.width, settings_.height, settings_.conform),
           scene_(description, {camera_.position()}),
-          context_{scene_, camera_, settings_, Filter(settings_.filter), {0, 0, 16, 16}, false, false},
+          context_{scene_, camera_, settings_, Filter(settings_.filter), {0, 0, 16, 16}, {}, false, false},
           active_{true, true, true, true, camera_.has_lens(), 256},
           tracer_(context_, active_),
           connector_(context_, active_) {}

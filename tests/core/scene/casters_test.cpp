@@ -80,7 +80,7 @@ std::vector<Sphere> casters_of(const ShapeDesc& shape, const SceneDescription& s
     std::vector<bool> focusing;
     for (const MaterialDesc& m : scene.materials) focusing.push_back(focuses(m.model));
     std::vector<PlacedShape> shapes;
-    shapes.push_back(place_shape(shape, scene, false, {}));
+    shapes.push_back(place_shape(shape, scene, false, find_requirements(scene, {}).texture_coordinates, {}));
     std::vector<Sphere> casters = find_casters(shapes, focusing);
     for (Sphere& caster : casters) caster = transformed(caster, world);
     return casters;
@@ -139,8 +139,12 @@ TEST(Casters, InstancesAreAimedAtByLightSubpathsOnly) {
     b.scene().groups.push_back({"/Group", {{"/Group/Ball", 0, {b.material(DielectricMaterial{})}, {}}}});
     b.scene().instances.push_back({"/Instance", 0, test::translation({0, 0, -4})});
     b.light(test::point_light({}, 1));
+    b.quad({-1, -1, 9}, {2, 0, 0}, {0, 2, 0}, b.diffuse(0.5));  // without it no light subpath could be joined
     const auto boost = [&b](bool light_paths, const Vec3& w) {
-        const Scene scene(b.scene(), {}, light_paths);
+        RenderSettings settings;
+        if (!light_paths) settings.integrator = IntegratorKind::Path;
+        const Requirements needs = find_requirements(b.scene(), settings);
+        const Scene scene(b.scene(), {}, {needs});
         const LightPoint y = scene.light(0).sample_emission({}, {}).y;
         return scene.emission().pdf(scene.light(0), y, w, w).pdf_dir / scene.light(0).pdf_emission(y, w).pdf_dir;
     };

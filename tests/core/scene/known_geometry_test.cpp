@@ -21,7 +21,8 @@ SceneDescription balls() {
 
 std::vector<PlacedShape> place(const SceneDescription& scene, const KnownGeometry& known, bool as_mesh = false) {
     std::vector<PlacedShape> placed;
-    for (const ShapeDesc& shape : scene.shapes) placed.push_back(place_shape(shape, scene, as_mesh, known));
+    for (const ShapeDesc& shape : scene.shapes)
+        placed.push_back(place_shape(shape, scene, as_mesh, find_requirements(scene, {}).texture_coordinates, known));
     return placed;
 }
 

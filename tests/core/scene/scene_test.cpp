@@ -138,7 +138,9 @@ TEST(Scene, InstancesCarryGeometryWhole) {
     b.scene().geometries = {tilted};
     b.scene().groups = {{"/group", {{"/group/shape", 0, {grey}, {}}}}};
     b.scene().instances = {{"/instance", 0, scaling(2, 3, 4, {5, 6, 7})}};
-    const Scene scene(b.scene(), {});
+    Requirements needs = find_requirements(b.scene(), {});
+    needs.texture_coordinates = {CoordinateUse::Tangents};
+    const Scene scene(b.scene(), {}, {needs});
     const auto si = scene.intersect({{6, 7.5, 100}, {0, 0, -1}});
     ASSERT_TRUE(si);
     EXPECT_NEAR(si->p.x, 6, 1e-5);

@@ -34,11 +34,12 @@ public:
         : settings_(settings),
           small_(pilot_settings(settings_)),
           scene_(description, {}),
+          strategies_(find_requirements(description, settings_).strategies),
           camera_(description.cameras[0], small_.width, small_.height, small_.conform) {}
 
-    [[nodiscard]] ChosenMethod chosen() const { return choose_method(settings_, scene_, camera_, never_); }
+    [[nodiscard]] ChosenMethod chosen() const { return choose_method(settings_, scene_, camera_, strategies_, never_); }
     [[nodiscard]] double cost(const ChosenMethod& method) const {
-        Pilot pilot(scene_, camera_, small_, never_);
+        Pilot pilot(scene_, camera_, small_, strategies_, never_);
         (void)pilot.cost({IntegratorKind::Bdpt, 1});  // tells how bright the picture is
         return pilot.cost(method);
     }
@@ -48,6 +49,7 @@ private:
     RenderSettings settings_;
     RenderSettings small_;
     Scene scene_;
+    StrategySet strategies_;
     Camera camera_;
     std::atomic<bool> never_{false};
 };

@@ -118,6 +118,8 @@ TEST(Settings, MissingTexturesAreFileErrors) {
     texture.name = "/Looks/wood";
     texture.file = "no/such/file.png";
     scene.textures.push_back(texture);
+    std::get<DiffuseMaterial>(scene.materials[static_cast<std::size_t>(scene.shapes[0].materials[0])].model)
+        .reflectance.texture = 0;
     const std::string message = error_of<FileError>(scene, small_settings(IntegratorKind::Path, 8, 1));
     EXPECT_NE(message.find("/Looks/wood"), std::string::npos) << message;
     EXPECT_NE(message.find("no/such/file.png"), std::string::npos) << message;

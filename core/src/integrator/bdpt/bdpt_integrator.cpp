@@ -14,40 +14,34 @@ std::uint64_t pixel_count(const PixelWindow& window) {
 }
 
 /// Measured on the stages by efficiency: caustics want many light subpaths, and nothing else wants one by the pixel.
-double light_paths_per_pixel(const RenderContext& context, bool camera_paths) {
+double light_paths_per_pixel(const RenderContext& context) {
     if (const auto& asked = context.settings.light_paths_per_pixel) return *asked;
-    if (!camera_paths) return 1;
+    const StrategySet& active = context.strategies;
+    if (!active.emission_hit && !active.direct_light && !active.connection) return 1;
     return context.scene.emission().has_targets() ? 4 : 0.5;
 }
 
-std::uint64_t count_light_paths(const RenderContext& context, bool camera_paths) {
+std::uint64_t count_light_paths(const RenderContext& context) {
     const auto pixels = static_cast<double>(pixel_count(context.window));
-    const double wanted = pixels * light_paths_per_pixel(context, camera_paths);
+    const double wanted = pixels * light_paths_per_pixel(context);
     // The smallest crop has one: without any, what only light paths see would be missing.
     return wanted > 0 ? static_cast<std::uint64_t>(std::max(1LL, std::llround(wanted))) : 0;
 }
 
-ActiveStrategies resolve(const RenderContext& context, const StrategySet& asked) {
-    ActiveStrategies active;
-    active.emission_hit = asked.emission_hit;
-    active.direct_light = asked.direct_light;
-    const bool camera_paths = asked.emission_hit || asked.direct_light || asked.connection;
-    const std::uint64_t paths = context.scene.light_count() > 0 ? count_light_paths(context, camera_paths) : 0;
-    if (paths > 0) {
-        active.connection = asked.connection;
-        active.light_image = asked.light_image;
-        active.lens_hit = asked.lens_hit && context.camera.has_lens();
-        active.light_paths = static_cast<double>(paths);
-    }
+ActiveStrategies resolve(const RenderContext& context) {
+    const StrategySet& carrying = context.strategies;
+    ActiveStrategies active{carrying.emission_hit, carrying.direct_light, carrying.connection, carrying.light_image,
+                            carrying.lens_hit};
+    if (active.needs_light_paths()) active.light_paths = static_cast<double>(count_light_paths(context));
     return active;
 }
 
 }  // namespace
 
 // The tracer and the connector keep references to the members before them.
-BdptIntegrator::BdptIntegrator(const RenderContext& context, const StrategySet& strategies)
+BdptIntegrator::BdptIntegrator(const RenderContext& context)
     : context_(context),
-      active_(resolve(context, strategies)),
+      active_(resolve(context)),
       streams_(context.settings.seed, static_cast<std::uint64_t>(active_.light_paths)),
       tracer_(context_, active_),
       connector_(context_, active_) {

@@ -16,7 +16,7 @@ namespace etendue {
 /// subset t = 1.
 class BdptIntegrator final : public Integrator {
 public:
-    BdptIntegrator(const RenderContext& context, const StrategySet& strategies);
+    explicit BdptIntegrator(const RenderContext& context);
     // The tracer and the connector refer to members.
     BdptIntegrator(const BdptIntegrator&) = delete;
     BdptIntegrator& operator=(const BdptIntegrator&) = delete;

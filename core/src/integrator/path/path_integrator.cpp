@@ -70,7 +70,7 @@ PixelSample PathIntegrator::sample_pixel(const Vec2& raster, Sampler& sampler, F
         if (si->light >= 0) add_emission(*si, walk, sample, tile);
         if (walk.depth >= settings.max_depth || !Scene::scatters(*si)) break;
         const Bsdf bsdf = context_.scene.bsdf(*si);
-        if (settings.strategies.direct_light && bsdf.connectible()) {
+        if (context_.strategies.direct_light && bsdf.connectible()) {
             add_direct<Absorbs>(*si, bsdf, walk, sampler, sample, tile);
         }
 
@@ -91,13 +91,13 @@ PixelSample PathIntegrator::sample_pixel(const Vec2& raster, Sampler& sampler, F
 }
 
 double PathIntegrator::hit_weight(const Walk& walk, double pdf_hit, double pdf_direct) const {
-    if (walk.specular || !context_.settings.strategies.direct_light) return 1;
+    if (walk.specular || !context_.strategies.direct_light) return 1;
     return 1 / (1 + heuristic_(pdf_direct / pdf_hit));
 }
 
 void PathIntegrator::add_emission(const SurfaceInteraction& si, const Walk& walk, PixelSample& sample,
                                   FilmTile& tile) const {
-    if (!context_.settings.strategies.emission_hit) return;
+    if (!context_.strategies.emission_hit) return;
     const Light& light = context_.scene.light(si.light);
     const LightPoint y{si.p, si.n_g, si.st, si.p_error};
     const Rgb radiance = light.radiance(y, -walk.ray.direction);
@@ -110,7 +110,7 @@ void PathIntegrator::add_emission(const SurfaceInteraction& si, const Walk& walk
 }
 
 void PathIntegrator::add_infinite(const Walk& walk, PixelSample& sample, FilmTile& tile) const {
-    if (!context_.settings.strategies.emission_hit) return;
+    if (!context_.strategies.emission_hit) return;
     for (int index : context_.scene.infinite_lights()) {
         const Light& light = context_.scene.light(index);
         const LightPoint y{walk.ray.direction, -walk.ray.direction, {}, {}};
@@ -140,7 +140,7 @@ void PathIntegrator::add_direct(const SurfaceInteraction& si, const Bsdf& bsdf, 
         value *= context_.scene.absorption().transmittance(media, direct->distance);
     }
     if (is_black(value)) return;
-    if (!light.delta() && context_.settings.strategies.emission_hit) {
+    if (!light.delta() && context_.strategies.emission_hit) {
         const double to_native = light.infinite() ? 1 : area_per_solid_angle(si.p, direct->y.p, direct->y.n);
         const double pdf_hit = bsdf.pdf(wo, direct->wi) * to_native;
         value *= 1 / (1 + heuristic_(pdf_hit / (choice->pmf * direct->pdf_point)));

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <variant>
+
+#include "bsdf/diffuse.h"
+
+namespace etendue {
+
+using BsdfModel = std::variant<Diffuse>;
+
+}  // namespace etendue
