@@ -31,8 +31,7 @@ private:
     void splat_light_path(const LightSubpath& path, Sampler& sampler, FilmTile& tile) const;
     void sample_camera(int x, int y, std::uint64_t pass, const LightSubpath& light, CameraSubpath& camera,
                        FilmTile& tile) const;
-    [[nodiscard]] std::optional<SurfaceInteraction> first_surface(const Vec2& raster, Sampler& sampler,
-                                                                  FilmTile& tile) const;
+    void record_first_surface(const Vec2& raster, Sampler& sampler, PixelSample& sample, FilmTile& tile) const;
     void add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Sampler& sampler,
                                PixelSample& sample, FilmTile& tile) const;
     /// The contribution as the settings ask for it: weighted, or one strategy alone, unweighted.
