@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bsdf/microfacet_reflection.h"
 #include "bsdf/rough_diffuse.h"
@@ -148,7 +149,8 @@ Layered::LobeProbabilities Layered::probabilities(const Vec3& wo) const {
         if (outside) p.glass *= below;
     }
     const double sum = p.clearcoat + p.specular + p.diffuse + p.veil + p.glass;
-    const double scale = sum > 0 ? p_.presence / sum : 0;
+    // A denormal sum has no reciprocal; what reflects so little is black in any picture.
+    const double scale = sum >= std::numeric_limits<double>::min() ? p_.presence / sum : 0;
     p.clearcoat *= scale;
     p.specular *= scale;
     p.diffuse *= scale;

@@ -119,6 +119,11 @@ void Camera::check_reach(const CameraDesc& desc, int width, int height) const {
     if (!within_reach(position_)) fail(desc, "it is too far away");
     if (!(lens_radius_ <= kFarthest)) fail(desc, "its lens is too large: focal length over f-stop");
     if (!(focus_distance_ <= kFarthest)) fail(desc, "focus distance is too large");
+    // Rays from the lens to the plane in focus need a direction, and one off the lens.
+    constexpr double kLeastFocus = 1e-100;
+    if (has_lens() && !(focus_distance_ >= kLeastFocus && lens_radius_ <= focus_distance_ * kFarthest)) {
+        fail(desc, "focus distance is too small for its lens");
+    }
     if (!(plane_per_pixel_x_ * plane_per_pixel_y_ > 0)) fail(desc, "it sees too little: aperture over focal length");
 }
 

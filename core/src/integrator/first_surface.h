@@ -8,12 +8,15 @@
 
 namespace etendue {
 
-/// Fills what a pixel sample says of the first surface, as far as any AOV asks.
-inline void record_surface(const RenderContext& context, const std::optional<SurfaceInteraction>& si,
-                           PixelSample& sample) {
+/// Fills what a pixel sample says of the first surface, as far as any AOV asks. `origin` on the lens and the unit
+/// `direction` are those of the ray that met it.
+inline void record_surface(const RenderContext& context, const Vec3& origin, const Vec3& direction,
+                           const std::optional<SurfaceInteraction>& si, PixelSample& sample) {
     if (!context.wants_surface || !si) return;
     sample.hit = true;
-    sample.depth = context.camera.depth(si->p);
+    // Not the point's own place on the axis: where the ray leaves the lens at a grazing angle, that is less than the
+    // float roundings of the point, and may come out negative.
+    sample.depth = length(si->p - origin) * dot(direction, context.camera.forward());
     sample.normal = context.scene.shading_normal(*si);
     if (context.wants_albedo) sample.albedo = context.scene.albedo(*si);
 }

@@ -17,7 +17,9 @@ public:
     /// False when the path ends. `depth` counts bounces so far.
     bool survive(int depth, double radiance_scale, Rgb& throughput, Sampler& sampler) const {
         if (first_depth_ < 0 || depth < first_depth_) return true;
-        const double carried = max_component(throughput) / (radiance_scale * start_);
+        const double left = max_component(throughput);
+        if (!(left > 0)) return false;  // a camera of no exposure starts with nothing
+        const double carried = left / (radiance_scale * start_);
         const double probability = std::min(carried, kMaxSurvival);
         if (!(sampler.next_1d() < probability)) return false;
         throughput *= 1 / probability;

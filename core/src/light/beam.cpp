@@ -69,7 +69,7 @@ Beam::Beam(const Shaping& shaping, const Vec3& front, const Silhouette& silhouet
         integral_ += power;
     }
     // The edge of a flat light that leans may pass between the azimuths of a ring: leave none without a chance.
-    if (leans(shaping.axis(), front)) {
+    if (leans(shaping.axis(), front) && !weights.empty()) {
         const double least = 1e-3 * total(integral_) / static_cast<double>(weights.size());
         for (double& weight : weights) weight += least;
     }

@@ -92,7 +92,9 @@ Vec3 world_origin(const SceneDescription& scene, const CameraDesc& camera) {
     add_instances(scene, geometries, box);
     add_lights(scene, box);
 
-    const double step = std::exp2(std::ceil(std::log2(max_component(box.upper - box.lower))) + 1);
+    const double size = max_component(box.upper - box.lower);
+    if (size == 0) return {};  // a camera alone: there is nothing to be near to
+    const double step = std::exp2(std::ceil(std::log2(size)) + 1);
     const Vec3 center = (box.lower + box.upper) * 0.5;
     const Vec3 origin =
         Vec3{std::round(center.x / step), std::round(center.y / step), std::round(center.z / step)} * step;

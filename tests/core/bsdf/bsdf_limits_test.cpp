@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include "bsdf/fresnel.h"
 #include "math/constants.h"
 #include "support/bsdf_cases.h"
+#include "support/invalid_operations.h"
 
 namespace etendue::test {
 namespace {
@@ -109,6 +111,18 @@ TEST(BsdfLimits, NothingButValidNumbers) {
         EXPECT_TRUE(std::isfinite(bsdf.pdf(sample->wi, wo))) << i;
     }
     EXPECT_GT(drawn, 60000);
+}
+
+/// The smallest numbers have no reciprocal by which lobes could be made to share what they reflect.
+TEST(BsdfLimits, LayersOfDenormalAlbedoAreBlack) {
+    LayeredParameters p;
+    p.coated = 1;
+    p.diffuse = Rgb(5e-324);
+    const Bsdf bsdf = flat(Layered(p));
+    const Vec3 wo = direction(0.7, 0);
+    std::optional<BsdfSample> sample;
+    EXPECT_FALSE(raises_invalid([&] { sample = bsdf.sample(wo, 0.5, {0.3, 0.6}, TransportMode::Radiance, kCorrect); }));
+    EXPECT_FALSE(sample);
 }
 
 /// Roughness 0 is Lambert to rounding, and small roughness is near it.

@@ -178,6 +178,12 @@ TEST(Camera, ErrorsNameTheCamera) {
         c.f_stop = 2;
         c.focus_distance = 1e20;
     });
+    for (const double focus_distance : {1e-19, 5e-324}) {
+        expect_error([=](CameraDesc& c) {
+            c.f_stop = 2;
+            c.focus_distance = focus_distance;
+        });
+    }
     EXPECT_THROW(Camera(CameraDesc{}, 0, 48, ExpandAperture), SettingsError);
 }
 

@@ -67,6 +67,28 @@ TEST(Aov, DescribeTheFirstSurface) {
     }
 }
 
+/// Where a ray leaves the lens at a grazing angle, its depth is less than the float roundings of the point it finds,
+/// which may lie on a face of any size: to the second order these do not count.
+TEST(Aov, DepthOfAGrazingRayIsNotRoundedAway) {
+    constexpr double kSize = 1e6;
+    SceneBuilder b;
+    b.quad({-kSize, -1, kSize / 3}, {2.1 * kSize, 0, 0.3 * kSize}, {0.2 * kSize, 0, -2 * kSize}, b.diffuse(0.5));
+    b.camera({0, 0, 0}, {0, 0, -1}, 179.6);  // downwards, half a pixel from the edge, the depth is 0.004
+    b.scene().cameras[0].horizontal_aperture = 1e-9;
+    for (const IntegratorKind integrator : kIntegrators) {
+        RenderSettings settings = small_settings(integrator, 1, 1);
+        settings.height = 32;
+        settings.filter.radius = 1e-6;
+        settings.conform = ApertureConform::AdjustPixelAspect;
+        settings.aovs = {Aov::Depth};
+        const RenderedImage image = render(b.scene(), settings);
+        for (int y = 16; y < 32; ++y) {
+            const double depth = 16 / (y + 0.5 - 16) * std::tan(0.2 * 3.14159265358979 / 180);
+            EXPECT_NEAR(at(image, Aov::Depth, 0, y) / depth, 1, 0.01) << y;
+        }
+    }
+}
+
 TEST(Aov, AskedForOrNotTheColourIsTheSame) {
     for (IntegratorKind integrator : kIntegrators) {
         RenderSettings settings = small_settings(integrator, 8, 2);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "integrator/roulette.h"
+#include "support/invalid_operations.h"
 #include "support/replicas.h"
 #include "support/scene_builder.h"
 #include "support/tiny_scenes.h"
@@ -31,6 +33,16 @@ SceneDescription inside_glass() {
     b.light(dome);
     b.camera({0, 0, 0.4}, {0, -0.3, 0}, 70);
     return b.scene();
+}
+
+/// A camera whose exposure is 0 carries nothing from the start.
+TEST(Roulette, EndsWhatStartsWithNothing) {
+    const Roulette roulette(0, Rgb(0));
+    Rgb throughput(0);
+    Sampler sampler(SampleIndex{});
+    bool survives = true;
+    EXPECT_FALSE(raises_invalid([&] { survives = roulette.survive(1, 1, throughput, sampler); }));
+    EXPECT_FALSE(survives);
 }
 
 struct Case {

@@ -16,6 +16,7 @@
 #include "math/sampling.h"
 #include "support/chi2.h"
 #include "support/estimate.h"
+#include "support/invalid_operations.h"
 #include "support/scene_builder.h"
 
 namespace etendue {
@@ -95,6 +96,15 @@ TEST(Shaping, PowerInClosedForm) {
         EXPECT_NEAR(shaped_power(plain(LightKind::Rect), shaping) / (2 * kPi / (focus + 2)), 1, 1e-5) << focus;
         EXPECT_NEAR(shaped_power(point, shaping) / (intensity * 4 * kPi / (focus + 1)), 1, 1e-4) << focus;
     }
+}
+
+/// A cone of no width has no ring to choose from, on a light whose normal a shear has turned off its axis either.
+TEST(Shaping, ConeOfNoWidthIsDark) {
+    LightDesc disk = plain(LightKind::Disk);
+    disk.world_from_light.m[8] = 0.5;
+    double power = 1;
+    EXPECT_FALSE(test::raises_invalid([&] { power = shaped_power(disk, {0, {}, 0, 0}); }));
+    EXPECT_EQ(power, 0);
 }
 
 /// The normal and the axis of a turned light differ by a rounding, which must not decide the beam's frame.

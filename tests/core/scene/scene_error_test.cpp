@@ -50,6 +50,10 @@ void move_first_point(SceneDescription& scene, float y) {
     scene.geometries[0] = mesh;
 }
 
+void scale(Matrix4& matrix, double factor) {
+    for (std::size_t i = 0; i < 3; ++i) matrix.m[5 * i] *= factor;
+}
+
 struct BadScene {
     std::function<void(SceneDescription&)> spoil;
     const char* prim;
@@ -163,6 +167,9 @@ TEST(SceneError, NamesThePrimThatIsTooFarAway) {
         {[](auto& s) { move_first_point(s, 2e18F); }, "/shape_0", "too far away"},
         {[](auto& s) { s.instances[0].world_from_group.m[3] = 2e18; }, "/instance", "too far away"},
         {[](auto& s) { s.instances[0].world_from_group.m[0] = 1e-19; }, "/instance", "too small"},
+        // Each length is within reach, but not the volume, which Embree computes in float.
+        {[](auto& s) { scale(s.instances[0].world_from_group, 1e13); }, "/instance", "too large"},
+        {[](auto& s) { scale(s.instances[0].world_from_group, 1e-13); }, "/instance", "too small"},
         {[](auto& s) {
              s.lights[0].kind = LightKind::Sphere;
              s.lights[0].world_from_light.m[3] = 2e18;

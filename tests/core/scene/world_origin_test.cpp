@@ -7,6 +7,7 @@
 
 #include "core/math/random_math.h"
 #include "scene/world_origin.h"
+#include "support/invalid_operations.h"
 #include "support/scene_builder.h"
 
 namespace etendue::test {
@@ -34,6 +35,15 @@ TEST(WorldOrigin, StaysWhereTheSceneIsAboutIt) {
     // Its own size away still.
     EXPECT_EQ(origin_of(far_box({2, -1.9, 2})), Vec3{});
     EXPECT_EQ(origin_of(far_box({0, 0, -3})), Vec3{});
+}
+
+/// A scene without a size has no grid.
+TEST(WorldOrigin, OfACameraAloneIsTheWorlds) {
+    SceneBuilder b;
+    b.camera({3, 2, 1}, {0, 0, 0}, 40);
+    Vec3 origin{1, 1, 1};
+    EXPECT_FALSE(raises_invalid([&] { origin = origin_of(b.scene()); }));
+    EXPECT_EQ(origin, Vec3{});
 }
 
 TEST(WorldOrigin, FollowsTheSceneInWholeSteps) {

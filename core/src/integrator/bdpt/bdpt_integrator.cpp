@@ -119,21 +119,24 @@ void BdptIntegrator::sample_camera(const WorkUnit& unit, std::size_t sample, con
     const Vec2 raster{x + 0.5 + offset.x, y + 0.5 + offset.y};
     ++tile.camera_paths;
     if (!active_.needs_camera_paths()) {
-        record_surface(context_, first_surface(raster, sampler, tile), tile.samples[sample]);
+        record_first_surface(raster, sampler, tile.samples[sample], tile);
         return;
     }
     tracer_.trace_camera(raster, sampler, camera, tile.rays);
-    const auto first = camera.vertices.empty() ? std::nullopt : std::optional(camera.vertices.front().si);
-    record_surface(context_, first, tile.samples[sample]);
+    if (!camera.vertices.empty()) {
+        const Vertex& first = camera.vertices.front();
+        record_surface(context_, camera.origin, -first.wo, first.si, tile.samples[sample]);
+    }
     Sampler joins = streams_.joins(unit.pass, pixel_number(context_, x, y), number);
     add_camera_strategies(camera, light, joins, sample, tile);
 }
 
-std::optional<SurfaceInteraction> BdptIntegrator::first_surface(const Vec2& raster, Sampler& sampler,
-                                                                FilmTile& tile) const {
+void BdptIntegrator::record_first_surface(const Vec2& raster, Sampler& sampler, PixelSample& sample,
+                                          FilmTile& tile) const {
     const CameraRay ray = context_.camera.generate_ray(raster, draw_lens(context_, sampler));
     ++tile.rays;
-    return context_.scene.intersect({offset_origin(ray.origin, {}, {}, ray.direction), ray.direction});
+    const auto si = context_.scene.intersect({offset_origin(ray.origin, {}, {}, ray.direction), ray.direction});
+    record_surface(context_, ray.origin, ray.direction, si, sample);
 }
 
 void BdptIntegrator::add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Sampler& sampler,

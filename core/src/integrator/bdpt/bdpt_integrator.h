@@ -32,8 +32,7 @@ private:
     /// `sample`: which one of the tile's.
     void sample_camera(const WorkUnit& unit, std::size_t sample, const LightSubpath& light, CameraSubpath& camera,
                        FilmTile& tile) const;
-    [[nodiscard]] std::optional<SurfaceInteraction> first_surface(const Vec2& raster, Sampler& sampler,
-                                                                  FilmTile& tile) const;
+    void record_first_surface(const Vec2& raster, Sampler& sampler, PixelSample& sample, FilmTile& tile) const;
     void add_camera_strategies(const CameraSubpath& camera, const LightSubpath& light, Sampler& sampler,
                                std::size_t sample, FilmTile& tile) const;
     /// The contribution as the settings ask for it: weighted, or one strategy alone, unweighted.

@@ -170,8 +170,10 @@ std::optional<Contribution> Connector::start_to_lens(const LightStart& start, Sa
     return c;
 }
 
-Contribution Connector::lens_hit(const LensCrossing& crossing) const {
+std::optional<Contribution> Connector::lens_hit(const LensCrossing& crossing) const {
     const LensHit& hit = crossing.hit;
+    // Light finds a wide lens from where no pixel looks: off the picture by more pixels than an int can count.
+    if (!on_film(hit.raster)) return {};
     Contribution c{crossing.beta * hit.importance, 0, hit.raster};
     c.weight =
         weight_lens_hit(heuristic_, crossing.mis, hit.pdf_lens, hit.pdf_dir, active_.light_paths, active_.light_image);

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] std::optional<Contribution> start_to_lens(const LightStart& start, Sampler& sampler,
                                                             std::uint64_t& rays) const;
     /// t = 0.
-    [[nodiscard]] Contribution lens_hit(const LensCrossing& crossing) const;
+    [[nodiscard]] std::optional<Contribution> lens_hit(const LensCrossing& crossing) const;
 
 private:
     /// Of the light point y seen from `receiver`, emitting along w.

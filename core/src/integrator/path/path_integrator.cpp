@@ -60,7 +60,7 @@ PixelSample PathIntegrator::sample_pixel(const Vec2& raster, Sampler& sampler, F
     for (;; ++walk.depth) {
         ++tile.rays;
         const std::optional<SurfaceInteraction> si = context_.scene.intersect(walk.ray);
-        if (walk.depth == 0) record_surface(context_, si, sample);
+        if (walk.depth == 0) record_surface(context_, first.origin, first.direction, si, sample);
         if (!si) {
             if constexpr (Absorbs) walk.beta *= absorption.transmittance(walk.media, kInfinity);
             add_infinite(walk, sample, tile);
