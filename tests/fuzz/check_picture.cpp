@@ -23,7 +23,7 @@ bool holds(Aov aov, float value, bool any_hit, bool may_overflow) {
         case Aov::Alpha:
             return value >= 0 && value <= 1 + 1e-6F;
         case Aov::Depth:
-            return !std::isnan(value) && (any_hit ? std::isfinite(value) && value >= 0 : value > 0);
+            return !std::isnan(value) && (any_hit ? std::isfinite(value) && value >= 0 : value >= 0);
         case Aov::Normal:
             return std::abs(value) <= 1 + 1e-6F;
         case Aov::Variance:

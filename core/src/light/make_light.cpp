@@ -1,6 +1,7 @@
 #include "light/make_light.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -74,8 +75,11 @@ Transform checked_transform(const LightDesc& light) {
     return world_from_light;
 }
 
+/// Products of more than that, along a path, may be more than a double can hold; and no picture shows it.
 Rgb finite(const LightDesc& light, const Rgb& value) {
     if (!std::isfinite(value.r + value.g + value.b)) fail(light, "its radiance is not finite");
+    if (max_component(value) > std::numeric_limits<float>::max())
+        fail(light, "its radiance is more than a float can hold");
     return value;
 }
 

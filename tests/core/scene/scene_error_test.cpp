@@ -183,6 +183,15 @@ TEST(SceneError, NamesThePrimThatIsTooFarAway) {
     });
 }
 
+/// Its products along a path would overflow, and infinity times nothing is no number.
+TEST(SceneError, NamesThePrimOfLightThatAFloatCannotHold) {
+    expect_complaints({{[](auto& s) {
+                            s.lights[0].kind = LightKind::Dome;
+                            s.lights[0].intensity = 1e39;
+                        },
+                        "/mesh_light", "more than a float"}});
+}
+
 TEST(SceneError, NamesThePrimOfBadSizes) {
     const double inf = std::numeric_limits<double>::infinity();
     const auto with = [](const GeometryDesc& geometry) {
