@@ -61,9 +61,7 @@ void add_shapes(const std::vector<ShapeDesc>& shapes, const std::vector<Box>& ge
     }
 }
 
-void add_instances(const SceneDescription& scene, const std::vector<Box>& geometries, Box& box) {
-    std::vector<Box> groups;
-    for (const GroupDesc& group : scene.groups) add_shapes(group.shapes, geometries, groups.emplace_back());
+void add_instances(const SceneDescription& scene, const std::vector<Box>& groups, Box& box) {
     for (const InstanceDesc& instance : scene.instances) {
         const auto group = static_cast<std::size_t>(instance.group);
         if (group < groups.size()) add_placed(groups[group], instance.world_from_group, box);
@@ -79,19 +77,7 @@ void add_lights(const SceneDescription& scene, Box& box) {
     }
 }
 
-}  // namespace
-
-Vec3 world_origin(const SceneDescription& scene, const CameraDesc& camera) {
-    std::vector<Box> geometries;
-    for (const SharedGeometry& geometry : scene.geometries) {
-        geometries.push_back(std::visit([](const auto& g) { return extent(g); }, *geometry));
-    }
-    Box box;
-    box.add(place(camera.world_from_camera, {}));
-    add_shapes(scene.shapes, geometries, box);
-    add_instances(scene, geometries, box);
-    add_lights(scene, box);
-
+Vec3 origin_next_to(const Box& box) {
     const double step = std::exp2(std::ceil(std::log2(max_component(box.upper - box.lower))) + 1);
     const Vec3 center = (box.lower + box.upper) * 0.5;
     const Vec3 origin =
@@ -99,11 +85,38 @@ Vec3 world_origin(const SceneDescription& scene, const CameraDesc& camera) {
     return is_finite(origin) ? origin : Vec3{};
 }
 
+}  // namespace
+
+Origins find_origins(const SceneDescription& scene, const CameraDesc& camera) {
+    std::vector<Box> geometries;
+    for (const SharedGeometry& geometry : scene.geometries) {
+        geometries.push_back(std::visit([](const auto& g) { return extent(g); }, *geometry));
+    }
+    std::vector<Box> groups;
+    for (const GroupDesc& group : scene.groups) add_shapes(group.shapes, geometries, groups.emplace_back());
+    Box box;
+    box.add(place(camera.world_from_camera, {}));
+    add_shapes(scene.shapes, geometries, box);
+    add_instances(scene, groups, box);
+    add_lights(scene, box);
+    Origins origins{origin_next_to(box), {}};
+    for (const Box& group : groups) origins.groups.push_back(origin_next_to(group));
+    return origins;
+}
+
 Matrix4 relative_to(const Vec3& origin, Matrix4 world_from_object) {
     auto& m = world_from_object.m;
     m[3] -= origin.x * m[15];
     m[7] -= origin.y * m[15];
     m[11] -= origin.z * m[15];
+    return world_from_object;
+}
+
+Matrix4 measured_from(const Vec3& origin, Matrix4 world_from_object) {
+    auto& m = world_from_object.m;
+    m[3] += m[0] * origin.x + m[1] * origin.y + m[2] * origin.z;
+    m[7] += m[4] * origin.x + m[5] * origin.y + m[6] * origin.z;
+    m[11] += m[8] * origin.x + m[9] * origin.y + m[10] * origin.z;
     return world_from_object;
 }
 

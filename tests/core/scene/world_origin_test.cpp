@@ -27,7 +27,7 @@ SceneDescription far_box(const Vec3& offset) {
     return scene;
 }
 
-Vec3 origin_of(const SceneDescription& scene) { return world_origin(scene, scene.cameras[0]); }
+Vec3 origin_of(const SceneDescription& scene) { return find_origins(scene, scene.cameras[0]).world; }
 
 TEST(WorldOrigin, StaysWhereTheSceneIsAboutIt) {
     EXPECT_EQ(origin_of(box().scene()), Vec3{});
@@ -60,6 +60,29 @@ TEST(WorldOrigin, CountsInstancesAndLampsButNoSkies) {
     scene.groups = {{"/group", {{"/group/cube", 0, {0}, {}}}}};
     scene.instances = {{"/instance", 0, translation({1e6, 0, 0})}};
     EXPECT_LT(length(origin_of(scene) - Vec3{1e6, 0, 0}), 8);
+}
+
+TEST(WorldOrigin, GroupsHaveTheirOwn) {
+    SceneDescription scene;
+    scene.cameras = box().scene().cameras;
+    scene.geometries = {CubeDesc{2}};
+    scene.groups = {{"/near", {{"/near/cube", 0, {0}, translation({0.5, 0, 0})}}},
+                    {"/far", {{"/far/cube", 0, {0}, translation({1e6, -3e5, 0})}}}};
+    scene.instances = {{"/instance", 1, translation({-1e6, 3e5, 0})}};
+    const Origins origins = find_origins(scene, scene.cameras[0]);
+    EXPECT_EQ(origins.world, Vec3{});
+    EXPECT_EQ(origins.of_group(0), Vec3{});
+    EXPECT_LT(length(origins.of_group(1) - Vec3{1e6, -3e5, 0}), 4);
+    EXPECT_EQ(origins.of_group(2), Vec3{});
+}
+
+TEST(WorldOrigin, PlacementsAreOfWhatIsMeasuredElsewhere) {
+    Matrix4 turned;  // (x, y, z) to (-2 y, 2 x, 2 z), all over 2
+    turned.m = {0, -2, 0, 7, 2, 0, 0, 8, 0, 0, 2, 9, 0, 0, 0, 2};
+    const Matrix4 placed = measured_from({10, 20, 30}, turned);
+    EXPECT_EQ(placed.m[3], 7 - 40);
+    EXPECT_EQ(placed.m[7], 8 + 20);
+    EXPECT_EQ(placed.m[11], 9 + 60);
 }
 
 /// Complaints are others' business.
