@@ -19,6 +19,7 @@ struct Box {
         upper = max(upper, p);
     }
     [[nodiscard]] bool empty() const { return !(lower.x <= upper.x); }
+    [[nodiscard]] double width() const { return max_component(upper - lower); }
 };
 
 Vec3 place(const Matrix4& matrix, const Vec3& p) {
@@ -78,7 +79,7 @@ void add_lights(const SceneDescription& scene, Box& box) {
 }
 
 Vec3 origin_next_to(const Box& box) {
-    const double step = std::exp2(std::ceil(std::log2(max_component(box.upper - box.lower))) + 1);
+    const double step = std::exp2(std::ceil(std::log2(box.width())) + 1);
     const Vec3 center = (box.lower + box.upper) * 0.5;
     const Vec3 origin =
         Vec3{std::round(center.x / step), std::round(center.y / step), std::round(center.z / step)} * step;
@@ -95,10 +96,10 @@ Origins find_origins(const SceneDescription& scene, const CameraDesc& camera) {
     std::vector<Box> groups;
     for (const GroupDesc& group : scene.groups) add_shapes(group.shapes, geometries, groups.emplace_back());
     Box box;
-    box.add(place(camera.world_from_camera, {}));
     add_shapes(scene.shapes, geometries, box);
     add_instances(scene, groups, box);
-    add_lights(scene, box);
+    if (!(box.width() > 0)) add_lights(scene, box);
+    if (!(box.width() > 0)) box.add(place(camera.world_from_camera, {}));
     Origins origins{origin_next_to(box), {}};
     for (const Box& group : groups) origins.groups.push_back(origin_next_to(group));
     return origins;
