@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "light/usd_lux.h"
 #include "math/constants.h"
 
 namespace etendue {
@@ -72,9 +73,7 @@ void add_instances(const SceneDescription& scene, const std::vector<Box>& groups
 /// By their places: a lamp is not what a scene's size is measured by.
 void add_lights(const SceneDescription& scene, Box& box) {
     for (const LightDesc& light : scene.lights) {
-        const bool has_place =
-            light.kind != LightKind::Distant && light.kind != LightKind::Dome && light.kind != LightKind::Mesh;
-        if (has_place) box.add(place(light.world_from_light, {}));
+        if (lux_has_place(light)) box.add(place(light.world_from_light, {}));
     }
 }
 
