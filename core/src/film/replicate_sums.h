@@ -31,6 +31,8 @@ public:
     [[nodiscard]] const Rgb& sum(std::uint64_t replicate, std::size_t pixel) const { return planes_[replicate][pixel]; }
     /// Over all passes.
     [[nodiscard]] Rgb mean(std::size_t pixel) const;
+    /// Over all passes and pixels.
+    [[nodiscard]] Rgb mean_of_picture() const;
     /// Of that mean; infinite while fewer than two replicates have passes.
     [[nodiscard]] Rgb variance(std::size_t pixel) const;
 
@@ -38,6 +40,7 @@ private:
     std::vector<Rgb> camera_;  ///< of the present pass
     std::vector<Rgb> splat_;   ///< likewise; empty until one arrives
     std::array<std::vector<Rgb>, kReplicates> planes_;
+    Rgb total_;  ///< of all planes
     std::uint64_t passes_ = 0;
 };
 
