@@ -32,5 +32,19 @@ TEST(Offset, ByAnythingDiffersByRoundings) {
     }
 }
 
+/// Shapes far off in their group, which is brought back by its instances.
+TEST(Offset, WithinGroupsDiffersByRoundings) {
+    for (const double distance : {100.3, 1e6}) {
+        const Vec3 offset{distance, -distance, distance / 3};
+        const Worst worst = worst_of_all([&](const SceneDescription& scene, const RenderSettings& settings) {
+            if (scene.instances.empty()) return 0.0;
+            return relative_difference(picture(scene, settings), picture(moved_within_groups(scene, offset), settings));
+        });
+        EXPECT_TRUE(at_most(
+            {"offset", in_words(distance) + " units within what instances share", "the picture: relative difference"},
+            worst.figure, 0x1p-12));
+    }
+}
+
 }  // namespace
 }  // namespace etendue::test

@@ -55,8 +55,8 @@ struct Worst {
 /// The largest relative deviation of any channel from `expected`. Infinite when a contribution was invalid.
 [[nodiscard]] double deviation(const Picture& a, double expected);
 
-/// Root of the mean squared difference over the mean of a, without the worst 3 % of pixels: those whose paths met an
-/// edge that roundings put on their other side. Infinite when a
+/// Root of the mean squared difference over the mean of a, without the worst 3 % of channel values: those whose
+/// paths met an edge that roundings put on their other side. Infinite when a
 /// contribution was invalid.
 [[nodiscard]] double relative_difference(const Picture& a, const Picture& b);
 

@@ -57,4 +57,16 @@ SceneDescription moved(SceneDescription scene, const Vec3& offset) {
     return scene;
 }
 
+SceneDescription moved_within_groups(SceneDescription scene, const Vec3& offset) {
+    for (GroupDesc& group : scene.groups) {
+        for (ShapeDesc& shape : group.shapes) move_matrix(shape.parent_from_object, offset);
+    }
+    for (InstanceDesc& instance : scene.instances) {
+        const auto& m = instance.world_from_group.m;
+        const auto row = [&](std::size_t i) { return m[i] * offset.x + m[i + 1] * offset.y + m[i + 2] * offset.z; };
+        move_matrix(instance.world_from_group, -Vec3{row(0), row(4), row(8)});
+    }
+    return scene;
+}
+
 }  // namespace etendue::test

@@ -73,11 +73,13 @@ double first_step(double alpha) {
 class Table {
 public:
     Table() {
-        for (int r = 0; r < kRoughnesses; ++r) {
+        means_[0] = kSmoothMean;
+        mean_squares_[0] = kSmoothMeanSquare;
+        for (int r = 1; r < kRoughnesses; ++r) {
             const double roughness = static_cast<double>(r) / (kRoughnesses - 1);
             for (int c = 0; c < kCosines; ++c) entry(r, c) = make_entry(node_cos(c), roughness * roughness);
-            mean(r) = r == 0 ? kSmoothMean : integrate_row(r);
-            mean_square(r) = r == 0 ? kSmoothMeanSquare : integrate_squared_row(r);
+            mean(r) = integrate_row(r);
+            mean_square(r) = integrate_squared_row(r);
         }
     }
 
@@ -126,10 +128,7 @@ private:
     static Albedo lerp(double t, const Albedo& a, const Albedo& b) {
         return a * (1 - t) + b * t;
     }
-    static SpecularAlbedo make_entry(double cos, double alpha) {
-        if (alpha == 0) return smooth_albedo(cos);
-        return integrate(std::max(cos, 1e-6), alpha);
-    }
+    static SpecularAlbedo make_entry(double cos, double alpha) { return integrate(std::max(cos, 1e-6), alpha); }
     /// Of a function that is linear between nodes: the integral of 2 x ((1 - t) a + t b) from x0 to x1.
     [[nodiscard]] SpecularAlbedo integrate_row(int r) const {
         SpecularAlbedo sum;
@@ -172,7 +171,7 @@ private:
     }
     SquaredSpecularAlbedo& mean_square(int r) { return mean_squares_[static_cast<std::size_t>(r)]; }
 
-    std::array<std::array<SpecularAlbedo, kCosines>, kRoughnesses> entries_{};
+    std::array<std::array<SpecularAlbedo, kCosines>, kRoughnesses> entries_{};  ///< the first row is not read
     std::array<SpecularAlbedo, kRoughnesses> means_{};
     std::array<SquaredSpecularAlbedo, kRoughnesses> mean_squares_{};
 };

@@ -84,9 +84,7 @@ RelativeError::RelativeError(const ReplicateSums& sums, int width)
         passes_[r] = static_cast<double>(sums.passes_of(r));
         per_pass_[r] = 1 / passes_[r];
     }
-    double sum = 0;
-    for (std::size_t pixel = 0; pixel < sums.pixels(); ++pixel) sum += gray(sums.mean(pixel));
-    const double darkest = kDarkestPart * sum / static_cast<double>(sums.pixels());
+    const double darkest = kDarkestPart * gray(sums.mean_of_picture());
     darkest_squared_ = darkest * darkest;
 }
 

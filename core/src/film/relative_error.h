@@ -40,8 +40,9 @@ private:
 /// A pixel adds v / (m^2 + (0.02 M)^2). The variance v of the mean is seen in the replicates, without bias. The pixel's
 /// true value m is not known, and the value v was seen around would mislead: where it came out bright by luck it is
 /// both noisy and bright, and the quotient small; a firefly would be divided by itself. So the deviations of two
-/// replicates at a time are divided by what the six others make of the pixel, which knows nothing of their luck. Six
-/// see less than eight, and 1 / m^2 of a noisy m is too large on average: m is therefore smoothed over its eight
+/// replicates at a time are divided by what the six others make of the pixel, which knows no more of their luck than
+/// the mean of all eight brings in, from which deviations are taken: a covariance of -1/8 of a replicate's variance.
+/// Six see less than eight, and 1 / m^2 of a noisy m is too large on average: m is therefore smoothed over its eight
 /// neighbours by as much as their differences are noise (Wiener's filter, as Lee 1980 takes it to pictures).
 class RelativeError {
 public:

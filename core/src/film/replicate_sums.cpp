@@ -20,7 +20,10 @@ void ReplicateSums::add_splat(std::size_t pixel, const Rgb& value) {
 void ReplicateSums::end_pass(std::uint64_t light_paths) {
     const std::uint64_t replicate = place_of_pass(passes_++).replicate;
     std::vector<Rgb>& plane = planes_[replicate];
-    for (std::size_t pixel = 0; pixel < plane.size(); ++pixel) plane[pixel] += camera_[pixel];
+    for (std::size_t pixel = 0; pixel < plane.size(); ++pixel) {
+        plane[pixel] += camera_[pixel];
+        total_ += camera_[pixel];
+    }
     std::fill(camera_.begin(), camera_.end(), Rgb());
     std::vector<std::uint32_t>& counts = counts_[replicate];
     for (std::size_t pixel = 0; pixel < count_.size(); ++pixel) counts[pixel] += count_[pixel];
@@ -29,7 +32,11 @@ void ReplicateSums::end_pass(std::uint64_t light_paths) {
     std::vector<Rgb>& splats = count_.empty() ? plane : splats_[replicate];
     splats.resize(plane.size());
     const double per_light_path = light_paths > 0 ? 1 / static_cast<double>(light_paths) : 0;
-    for (std::size_t pixel = 0; pixel < plane.size(); ++pixel) splats[pixel] += splat_[pixel] * per_light_path;
+    for (std::size_t pixel = 0; pixel < plane.size(); ++pixel) {
+        const Rgb value = splat_[pixel] * per_light_path;
+        splats[pixel] += value;
+        total_ += value;
+    }
     std::fill(splat_.begin(), splat_.end(), Rgb());
 }
 
@@ -51,6 +58,14 @@ Rgb ReplicateSums::mean(std::size_t pixel) const {
     Rgb sum;
     for (std::uint64_t replicate = 0; replicate < kReplicates; ++replicate) sum += this->sum(replicate, pixel);
     return sum / static_cast<double>(passes_);
+}
+
+Rgb ReplicateSums::mean_of_picture() const {
+    const auto pixels = static_cast<double>(this->pixels());
+    if (count_.empty()) return total_ / (pixels * static_cast<double>(passes_));
+    Rgb sum;
+    for (std::size_t pixel = 0; pixel < this->pixels(); ++pixel) sum += mean(pixel);
+    return sum / pixels;
 }
 
 Rgb ReplicateSums::variance(std::size_t pixel) const {

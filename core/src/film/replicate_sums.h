@@ -46,6 +46,8 @@ public:
     }
     /// Over all passes.
     [[nodiscard]] Rgb mean(std::size_t pixel) const;
+    /// Over all passes and pixels.
+    [[nodiscard]] Rgb mean_of_picture() const;
     /// Of that mean; infinite while fewer than two replicates have passes.
     [[nodiscard]] Rgb variance(std::size_t pixel) const;
 
@@ -58,6 +60,7 @@ private:
     std::array<std::vector<Rgb>, kReplicates> planes_;  ///< if uneven, of camera samples alone
     std::array<std::vector<Rgb>, kReplicates> splats_;  ///< if uneven; empty until one arrives
     std::array<std::vector<std::uint32_t>, kReplicates> counts_;
+    Rgb total_;  ///< of all planes; of use unless uneven
     std::uint64_t passes_ = 0;
 };
 

@@ -63,15 +63,11 @@ auto naming(const LightDesc& light, Make&& make) {
     }
 }
 
-bool has_place(const LightDesc& light) {
-    return light.kind != LightKind::Distant && light.kind != LightKind::Dome && light.kind != LightKind::Mesh;
-}
-
 Transform checked_transform(const LightDesc& light) {
     check_attributes(light);
     const Transform world_from_light = naming(light, [&light] { return Transform(light.world_from_light); });
     const Vec3 size = max({light.width, light.height, light.length}, {light.radius, light.radius, light.radius});
-    if (has_place(light) && !within_reach(world_from_light.magnitude(size))) fail(light, "it reaches too far away");
+    if (lux_has_place(light) && !within_reach(world_from_light.magnitude(size))) fail(light, "it reaches too far away");
     return world_from_light;
 }
 

@@ -45,6 +45,11 @@ namespace etendue {
 /// Whether the light emits at all, whatever its size.
 [[nodiscard]] bool lux_emits(const LightDesc& light);
 
+/// Whether its own transform says where it is: a mesh light lies where its shape does, infinite ones nowhere.
+[[nodiscard]] inline bool lux_has_place(const LightDesc& light) {
+    return light.kind != LightKind::Distant && light.kind != LightKind::Dome && light.kind != LightKind::Mesh;
+}
+
 /// Whether a sphere is taken as a point, a cylinder as a line: of those no ray finds any.
 [[nodiscard]] bool lux_is_thin(const LightDesc& light);
 

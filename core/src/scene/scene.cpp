@@ -21,15 +21,15 @@
 #include "scene/material_glow.h"
 #include "scene/media_probe.h"
 #include "scene/requirements.h"
-#include "scene/world_origin.h"
 #include "texture/udim.h"
 
 namespace etendue {
 namespace {
 
-Transform instance_transform(const InstanceDesc& instance, const Vec3& origin) {
+Transform instance_transform(const InstanceDesc& instance, const Origins& origins) {
+    const Vec3 group_origin = origins.of_group(static_cast<std::size_t>(instance.group));
     try {
-        return Transform(relative_to(origin, instance.world_from_group));
+        return Transform(measured_from(group_origin, relative_to(origins.world, instance.world_from_group)));
     } catch (const SceneError& error) {
         throw SceneError(instance.name + ": " + error.what());
     }
@@ -111,10 +111,10 @@ Scene::Scene(const SceneDescription& description, const std::vector<Vec3>& lens_
     : materials_(needed_materials(description, options.needs)), absorption_(materials_) {
     make_textures(description, options);
     for (const MaterialDesc& material : materials_) check_material(material, description.textures.size());
-    const std::vector<LightDesc> lights = relative_lights(description, options.origin);
+    const std::vector<LightDesc> lights = relative_lights(description, options.origins.world);
     const KnownGeometry known = options.before != nullptr ? options.before->known_geometry() : KnownGeometry{};
     place_shapes(description, options, known);
-    place_instances(description, options.origin);
+    place_instances(description, options.origins);
     place_light_shapes(lights, known);
     if (options.spent != nullptr) options.spent->geometries.clear();
     build_accel(options.before);
@@ -153,24 +153,25 @@ void Scene::place_shapes(const SceneDescription& description, const SceneOptions
     const std::vector<int> light_of_shape = mesh_light_shapes(description);
     for (std::size_t i = 0; i < description.shapes.size(); ++i) {
         shapes_.push_back(place_shape(description.shapes[i], description, light_of_shape[i] >= 0, coordinates, known,
-                                      options.origin));
+                                      options.origins.world));
     }
     const std::vector<bool> placed = placed_groups(description);
     groups_.resize(placed.size());
     for (std::size_t i = 0; i < placed.size(); ++i) {
         if (!placed[i]) continue;
         for (const ShapeDesc& shape : description.groups[i].shapes) {
-            groups_[i].push_back(place_shape(shape, description, false, coordinates, known));
+            groups_[i].push_back(
+                place_shape(shape, description, false, coordinates, known, options.origins.of_group(i)));
         }
     }
 }
 
-void Scene::place_instances(const SceneDescription& description, const Vec3& origin) {
+void Scene::place_instances(const SceneDescription& description, const Origins& origins) {
     for (const InstanceDesc& instance : description.instances) {
         if (instance.group < 0 || instance.group >= static_cast<int>(groups_.size())) {
             throw SceneError(instance.name + ": group index " + std::to_string(instance.group) + " is out of range");
         }
-        instances_.push_back({static_cast<std::size_t>(instance.group), instance_transform(instance, origin), {}});
+        instances_.push_back({static_cast<std::size_t>(instance.group), instance_transform(instance, origins), {}});
     }
 }
 

@@ -17,6 +17,7 @@
 #include "light/light_sampler.h"
 #include "scene/absorption.h"
 #include "scene/placed_shape.h"
+#include "scene/world_origin.h"
 #include "texture/texture_set.h"
 
 namespace etendue {
@@ -38,7 +39,7 @@ struct SceneOptions {
     /// What there has to be; of anything else nothing is built, opened or checked. Without light paths nobody will ask
     /// where these had best go, and Scene::emission() is each light's own.
     const Requirements& needs;
-    Vec3 origin{};  ///< from which positions are measured (world_origin.h)
+    Origins origins{};  ///< from which positions are measured
     double texture_memory = kDefaultTextureMemory;
     /// An earlier scene: what it has built alike is taken over.
     const Scene* before = nullptr;
@@ -50,8 +51,8 @@ struct SceneOptions {
 class Scene {
 public:
     /// `lens_points` are positions that light must be able to reach besides the geometry (cameras with a lens). All
-    /// positions, those of `lens_points` too, are relative to `options.origin`. Throws SceneError or FileError naming
-    /// the prim or file.
+    /// positions, those of `lens_points` too, are relative to `options.origins.world`. Throws SceneError or FileError
+    /// naming the prim or file.
     Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points, const SceneOptions& options);
     /// For a render with the default settings.
     Scene(const SceneDescription& description, const std::vector<Vec3>& lens_points);
@@ -115,7 +116,7 @@ private:
 
     void make_textures(const SceneDescription& description, const SceneOptions& options);
     void place_shapes(const SceneDescription& description, const SceneOptions& options, const KnownGeometry& known);
-    void place_instances(const SceneDescription& description, const Vec3& origin);
+    void place_instances(const SceneDescription& description, const Origins& origins);
     void place_light_shapes(const std::vector<LightDesc>& lights, const KnownGeometry& known);
     [[nodiscard]] KnownGeometry known_geometry() const;
     [[nodiscard]] AccelInput accel_input() const;

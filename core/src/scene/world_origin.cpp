@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "light/usd_lux.h"
 #include "math/constants.h"
 
 namespace etendue {
@@ -19,6 +20,7 @@ struct Box {
         upper = max(upper, p);
     }
     [[nodiscard]] bool empty() const { return !(lower.x <= upper.x); }
+    [[nodiscard]] double width() const { return max_component(upper - lower); }
 };
 
 Vec3 place(const Matrix4& matrix, const Vec3& p) {
@@ -61,9 +63,7 @@ void add_shapes(const std::vector<ShapeDesc>& shapes, const std::vector<Box>& ge
     }
 }
 
-void add_instances(const SceneDescription& scene, const std::vector<Box>& geometries, Box& box) {
-    std::vector<Box> groups;
-    for (const GroupDesc& group : scene.groups) add_shapes(group.shapes, geometries, groups.emplace_back());
+void add_instances(const SceneDescription& scene, const std::vector<Box>& groups, Box& box) {
     for (const InstanceDesc& instance : scene.instances) {
         const auto group = static_cast<std::size_t>(instance.group);
         if (group < groups.size()) add_placed(groups[group], instance.world_from_group, box);
@@ -73,32 +73,36 @@ void add_instances(const SceneDescription& scene, const std::vector<Box>& geomet
 /// By their places: a lamp is not what a scene's size is measured by.
 void add_lights(const SceneDescription& scene, Box& box) {
     for (const LightDesc& light : scene.lights) {
-        const bool has_place =
-            light.kind != LightKind::Distant && light.kind != LightKind::Dome && light.kind != LightKind::Mesh;
-        if (has_place) box.add(place(light.world_from_light, {}));
+        if (lux_has_place(light)) box.add(place(light.world_from_light, {}));
     }
 }
 
-}  // namespace
-
-Vec3 world_origin(const SceneDescription& scene, const CameraDesc& camera) {
-    std::vector<Box> geometries;
-    for (const SharedGeometry& geometry : scene.geometries) {
-        geometries.push_back(std::visit([](const auto& g) { return extent(g); }, *geometry));
-    }
-    Box box;
-    box.add(place(camera.world_from_camera, {}));
-    add_shapes(scene.shapes, geometries, box);
-    add_instances(scene, geometries, box);
-    add_lights(scene, box);
-
-    const double size = max_component(box.upper - box.lower);
-    if (size == 0) return {};  // a camera alone: there is nothing to be near to
-    const double step = std::exp2(std::ceil(std::log2(size)) + 1);
+Vec3 origin_next_to(const Box& box) {
+    if (!(box.width() > 0)) return {};  // a camera alone: there is nothing to be near to
+    const double step = std::exp2(std::ceil(std::log2(box.width())) + 1);
     const Vec3 center = (box.lower + box.upper) * 0.5;
     const Vec3 origin =
         Vec3{std::round(center.x / step), std::round(center.y / step), std::round(center.z / step)} * step;
     return is_finite(origin) ? origin : Vec3{};
+}
+
+}  // namespace
+
+Origins find_origins(const SceneDescription& scene, const CameraDesc& camera) {
+    std::vector<Box> geometries;
+    for (const SharedGeometry& geometry : scene.geometries) {
+        geometries.push_back(std::visit([](const auto& g) { return extent(g); }, *geometry));
+    }
+    std::vector<Box> groups;
+    for (const GroupDesc& group : scene.groups) add_shapes(group.shapes, geometries, groups.emplace_back());
+    Box box;
+    add_shapes(scene.shapes, geometries, box);
+    add_instances(scene, groups, box);
+    if (!(box.width() > 0)) add_lights(scene, box);
+    if (!(box.width() > 0)) box.add(place(camera.world_from_camera, {}));
+    Origins origins{origin_next_to(box), {}};
+    for (const Box& group : groups) origins.groups.push_back(origin_next_to(group));
+    return origins;
 }
 
 Matrix4 relative_to(const Vec3& origin, Matrix4 world_from_object) {
@@ -106,6 +110,14 @@ Matrix4 relative_to(const Vec3& origin, Matrix4 world_from_object) {
     m[3] -= origin.x * m[15];
     m[7] -= origin.y * m[15];
     m[11] -= origin.z * m[15];
+    return world_from_object;
+}
+
+Matrix4 measured_from(const Vec3& origin, Matrix4 world_from_object) {
+    auto& m = world_from_object.m;
+    m[3] += m[0] * origin.x + m[1] * origin.y + m[2] * origin.z;
+    m[7] += m[4] * origin.x + m[5] * origin.y + m[6] * origin.z;
+    m[11] += m[8] * origin.x + m[9] * origin.y + m[10] * origin.z;
     return world_from_object;
 }
 

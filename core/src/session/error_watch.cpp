@@ -22,7 +22,8 @@ void ErrorWatch::look(std::int64_t passes, const ErrorEstimate& estimate) {
     looked_at_ = passes;
     error_ = std::sqrt(estimate.value);
     // relMSE falls like 1 / passes, or faster where samples are stratified.
-    const double growth = (estimate.value + kStandardErrors * estimate.standard_error) / target_;
+    const double over = std::sqrt(estimate.value + kStandardErrors * estimate.standard_error) / target_;
+    const double growth = over * over;
     growth_ = target_ > 0 && std::isfinite(growth) ? growth : std::numeric_limits<double>::infinity();
     next_look_ = whole_rounds(static_cast<double>(passes) * std::clamp(growth_, kLeastGrowth, kMostGrowth));
 }

@@ -16,7 +16,7 @@ namespace etendue {
 class ErrorWatch {
 public:
     /// `target`: RenderSettings::error_target; none (0) is never reached.
-    explicit ErrorWatch(double target) : target_(target * target) {}
+    explicit ErrorWatch(double target) : target_(target) {}
 
     [[nodiscard]] bool due(std::int64_t passes) const { return passes >= next_look_; }
     /// An estimate of relMSE after so many passes.
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] double fraction(std::int64_t passes) const;
 
 private:
-    double target_;  ///< of relMSE
+    double target_;  ///< of error(): its square may be too small for double
     std::int64_t next_look_ = 2 * kReplicates;
     std::int64_t looked_at_ = 0;
     double error_ = std::numeric_limits<double>::infinity();

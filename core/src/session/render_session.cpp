@@ -31,9 +31,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Vec3 checked_origin(const SceneDescription& scene, const RenderSettings& settings) {
+Origins checked_origins(const SceneDescription& scene, const RenderSettings& settings) {
     validate_settings(settings, scene);
-    return world_origin(scene, scene.cameras[static_cast<std::size_t>(settings.camera)]);
+    return find_origins(scene, scene.cameras[static_cast<std::size_t>(settings.camera)]);
 }
 
 Camera make_camera(const SceneDescription& scene, const RenderSettings& settings, const Vec3& origin) {
@@ -97,12 +97,12 @@ public:
          SceneDescription* spent)
         : settings_(settings),
           callback_(std::move(callback)),
-          origin_(checked_origin(scene, settings_)),
+          origins_(checked_origins(scene, settings_)),
           needs_(find_requirements(scene, settings_)),
           arena_(thread_count(settings_)),
-          scene_(scene, lens_points(make_camera(scene, settings_, origin_)),
-                 {needs_, origin_, settings_.texture_memory, before != nullptr ? &before->scene_ : nullptr, spent}),
-          camera_(off_surfaces(scene_, make_camera(scene, settings_, origin_))),
+          scene_(scene, lens_points(make_camera(scene, settings_, origins_.world)),
+                 {needs_, origins_, settings_.texture_memory, before != nullptr ? &before->scene_ : nullptr, spent}),
+          camera_(off_surfaces(scene_, make_camera(scene, settings_, origins_.world))),
           integrator_(make_integrator(make_context(scene_, camera_, settings_, needs_))),
           runner_(std::in_place, *integrator_, render_window(settings_)),
           plan_(runner_->tiles()),
@@ -298,7 +298,7 @@ private:
 
     RenderSettings settings_;
     ProgressCallback callback_;
-    Vec3 origin_;  ///< from which positions are measured
+    Origins origins_;  ///< from which positions are measured
     Requirements needs_;
     tbb::task_arena arena_;
     Scene scene_;

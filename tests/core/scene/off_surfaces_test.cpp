@@ -1,5 +1,7 @@
 // Where a camera stands that was put into a surface.
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "scene/off_surfaces.h"
@@ -38,6 +40,35 @@ TEST(OffSurfaces, AreOnTheOuterSide) {
         EXPECT_EQ(off_surfaces(scene, {}), Vec3{});
         const Vec3 outside{2 * half, half, 0};  // in the plane of a face, beside it
         EXPECT_EQ(off_surfaces(scene, outside), outside);
+    }
+}
+
+// Float knows of a surface what it knows of its corners, which may lie far from the camera and the origin.
+TEST(OffSurfaces, OfALargeTiltedBox) {
+    const double c = std::cos(0.3);
+    const double s = std::sin(0.3);
+    const Vec3 right{c, 0, -s};  // tilted about the second axis, then the first
+    const Vec3 up{s * s, c, s * c};
+    const Vec3 front{c * s, -s, c * c};
+    constexpr double kHalf = 1000;
+    const Vec3 top{0.1, 0.2, 0.3};  // the middle of its upper face
+    Matrix4 tilted = translation(top - up * kHalf);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int axis = static_cast<int>(i);
+        tilted.m[4 * i] = right[axis];
+        tilted.m[4 * i + 1] = up[axis];
+        tilted.m[4 * i + 2] = front[axis];
+    }
+    SceneBuilder b;
+    b.shape(CubeDesc{2 * kHalf}, b.diffuse(0), tilted);
+    const Scene scene(b.scene(), {});
+    for (int i = 0; i < 64; ++i) {
+        const Vec3 on = top + right * (0.02 * std::cos(i)) + front * (0.02 * std::sin(i));
+        const Vec3 off = off_surfaces(scene, on);
+        EXPECT_GT(dot(off - top, up), 0) << i;
+        EXPECT_LT(length(off - on), 4e-6 * kHalf) << i;
+        EXPECT_FALSE(scene.intersect({off, up})) << i;
+        EXPECT_TRUE(scene.intersect({off, -up})) << i;
     }
 }
 

@@ -82,6 +82,15 @@ TEST(ErrorWatch, TellsTheErrorOfRendersWithoutTarget) {
     EXPECT_FALSE(watch.reached());
 }
 
+// Its square is no double.
+TEST(ErrorWatch, KnowsATinyTargetFromNone) {
+    ErrorWatch watch(1e-200);
+    watch.look(16, {1e-300, 0});
+    EXPECT_FALSE(watch.reached());
+    watch.look(32, {0, 0});
+    EXPECT_TRUE(watch.reached());
+}
+
 TEST(ErrorWatch, WaitsWhereSumsOverflow) {
     ErrorWatch watch(0.1);
     for (double nonsense : {kInfinity, std::nan("")}) {
