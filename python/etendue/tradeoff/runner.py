@@ -175,6 +175,10 @@ class _Run:
 
 
 def _best(measured: list[Measured]) -> Measured:
-    """The most efficient without a floor, if there is one: others' errors stop falling."""
+    """The most efficient without a floor, if there is one: others' errors stop falling.
+
+    Of those whose error is seen, if there is one: a ratio to what is not seen says nothing.
+    """
     honest = [one for one in measured if one.result.verdict != "floor"] or measured
-    return min(honest, key=lambda one: float(one.costs.mean()))
+    seen = [one for one in honest if one.costs.mean() > 0] or honest
+    return min(seen, key=lambda one: float(one.costs.mean()))

@@ -18,6 +18,8 @@ _TOO_NOISY = 0.5
 def efficiency_text(found: CandidateResult) -> str:
     """Over that of the best."""
     relative = found.relative_efficiency
+    if not isfinite(relative.value):
+        return "unknown"
     if relative.low > 1 - 1e-4 and relative.high < 1 + 1e-4:
         return "1, the best"
     return "below 0.01" if relative.value < 0.01 else interval_text(relative)
@@ -39,6 +41,8 @@ def verdict_sentence(found: CandidateResult) -> str:
     """Whether it gets there, and what is missing where it does not."""
     if found.verdict == "floor":
         return f"{_floor(found)} {_brightness(found)}{found.candidate.if_short}"
+    if found.verdict == "converges" and not found.hidden_floor > 0:
+        return "Converges to the reference: not any difference is seen."
     if found.verdict == "converges":
         return (
             "Converges to the reference as far as can be told: what no time would remove is less "
@@ -75,6 +79,8 @@ def _brightness(found: CandidateResult) -> str:
 def slope_sentence(found: CandidateResult) -> str:
     """What the line does."""
     slope = found.slope
+    if not found.error_seen:
+        return "There is no line: what it is off by is not seen."
     if found.verdict == "floor":
         return f"Bends towards flat: at its end the slope is {found.end_slope:.2f}."
     if not is_known(slope) or slope.high - slope.low > 0.5:
@@ -90,6 +96,8 @@ def choice_sentence(result: TradeoffResult, choice: Choice) -> str:
     """Why that one."""
     best = result[choice.best]
     parts = [f"{best.candidate.what}."]
+    if not choice.rel_mse.value > 0:
+        parts.append("Its error is not seen, so nothing tells it from others.")
     if choice.best == DEFAULT:
         parts.append("This is the default.")
     elif DEFAULT in choice.as_good:
@@ -152,6 +160,8 @@ def _best(result: TradeoffResult) -> str:
     choice = longest_choice(result)
     if choice is None:
         return "Nothing finishes a picture in the times looked at"
+    if not choice.rel_mse.value > 0:
+        return f"No error is seen of {choice.best}: nothing here tells how good it is"
     name = f"the default, {DEFAULT}" if choice.best == DEFAULT else choice.best
     error = error_percent(choice.rel_mse.value)
     return f"Best here is {name}: {error} of error after {seconds_text(choice.seconds)}"
