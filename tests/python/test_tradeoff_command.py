@@ -184,7 +184,10 @@ def test_reference_that_does_not_fit(
     told = refused(capsys, stage, "--resolution", "16x16", "--reference", str(whole))
     assert told == f"{whole}: is 8x8, but 16x16 was asked for"
     told = refused(capsys, stage, "--reference", str(part))
-    assert told == f"{part}: is a crop at 4, 2; a reference is whole"
+    assert told == f"{part}: is a crop of 4x6 at 4, 2; a reference is whole"
+    opened.render(resolution=(8, 8), crop=(0, 0, 4, 4), spp=1).save(part)
+    told = refused(capsys, stage, "--reference", str(part))
+    assert told == f"{part}: is a crop of 4x4 at 0, 0; a reference is whole"
 
 
 def test_api(stage: str) -> None:
