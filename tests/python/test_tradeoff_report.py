@@ -27,11 +27,13 @@ from etendue.tradeoff.report.plots import highlighted, overview_url
 from etendue.tradeoff.report.words import (
     cannot_be_concluded,
     choice_sentence,
+    default_sentence,
     error_percent,
     headline,
     slope_sentence,
     verdict_sentence,
 )
+from etendue.validation.results import Estimate
 from support.browser import WIDTHS, Visit, check_page
 from support.json_schema import strict, undescribed
 from support.made_up_renders import MadeUp, Way, made_up_result, made_up_stage
@@ -253,6 +255,22 @@ def test_choices_in_words(found: TradeoffResult) -> None:
     assert told.endswith(" after 10 min")
     stopped = dataclasses.replace(found, interrupted=True, not_run=("bdpt-balance",))
     assert headline(stopped).endswith("; interrupted after 6 rounds, 1 candidate not measured")
+
+
+def test_no_reason_speaks_against_the_choice(found: TradeoffResult) -> None:
+    """A default that seems to be better but rests on a few pixels, or seems to be as slow."""
+    choice = next(choice for choice in found.choices if choice.best == "light")
+
+    def told(noise: float, outliers: float) -> str:
+        curve = dataclasses.replace(found["bdpt"].curve, noise=Estimate(noise, 0, 1, 0.95))
+        default = dataclasses.replace(found["bdpt"], curve=curve, outliers=outliers)
+        return default_sentence(dataclasses.replace(found, candidates=(default,)), choice)
+
+    reached = choice.rel_mse.value * choice.seconds
+    assert told(2.5 * reached, 0.03) == "The default takes 2.5 times as long for the same error."
+    assert told(0.16 * reached, 0.03) == ""
+    assert told(math.inf, 0.03) == ""
+    assert told(0.16 * reached, 0.4).startswith("The default's figures rest on a few bright pixels")
 
 
 def test_what_cannot_be_concluded_is_told(found: TradeoffResult) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import isfinite, sqrt
+from math import inf, isfinite, sqrt
 
 from etendue.interval import interval_text
 from etendue.numbers import counted, percent, short
@@ -121,15 +121,19 @@ def choice_sentence(result: TradeoffResult, choice: Choice) -> str:
 
 
 def default_sentence(result: TradeoffResult, choice: Choice) -> str:
-    """How much longer the default takes for what the choice gives; empty where it was not measured,
-    or never gets there."""
+    """How much longer the default takes for what the choice gives, or why it was not chosen; empty
+    where it was not measured, never gets there, or is not slower."""
     if DEFAULT not in {found.name for found in result.candidates}:
         return ""
+    if result[DEFAULT].fireflies:
+        return "The default's figures rest on a few bright pixels, and are not compared."
     curve = result[DEFAULT].curve
     noise = choice.rel_mse.value - curve.floor
     if not noise > 0:
         return ""
     times = curve.noise.value / noise / choice.seconds
+    if not 1 < times < inf:
+        return ""
     return f"The default takes {times:.2g} times as long for the same error."
 
 
