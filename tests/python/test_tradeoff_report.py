@@ -277,6 +277,8 @@ def test_what_cannot_be_concluded_is_told(found: TradeoffResult) -> None:
     told = list(cannot_be_concluded(found))
     assert any("bdpt-no-light-image" in line and "Rare bright pixels" in line for line in told)
     assert not any("too noisy" in line for line in told)
+    # Beyond the longest single render their mean has been measured.
+    assert any("longer than all renders of that candidate together" in line for line in told)
     noisy = dataclasses.replace(found, reference=dataclasses.replace(found.reference, rel_mse=1.0))
     assert any("too noisy (100 %) to judge" in line for line in cannot_be_concluded(noisy))
     unknown = list(cannot_be_concluded(unknown_reference(found)))

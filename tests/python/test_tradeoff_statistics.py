@@ -287,6 +287,22 @@ def test_unseen_floors_are_feared_beyond_what_was_measured() -> None:
     assert (short.extrapolated, long.extrapolated) == (False, True)
 
 
+def test_the_mean_of_all_renders_counts_as_measured() -> None:
+    """As good as one that takes as long as all of them: up to there nothing is extrapolated."""
+    found = candidate("light", 0.3, hidden=0.01)
+    longest, together = found.rungs[-1].seconds, found.pooled.seconds
+    assert together == pytest.approx(SEEDS * longest)
+    for seconds, beyond in (
+        (2 * longest, False),
+        (0.99 * together, False),
+        (1.01 * together, True),
+    ):
+        choice = choose((found,), seconds)
+        assert choice is not None
+        assert choice.extrapolated == beyond
+        assert choice.rel_mse.value == pytest.approx(0.3 / seconds + (0.01 if beyond else 0))
+
+
 @pytest.mark.parametrize("time", [0.0, -1.0, math.nan, math.inf])
 def test_time_must_be_a_time(time: float) -> None:
     with pytest.raises(etendue.SettingsError, match="positive number of seconds"):

@@ -42,8 +42,9 @@ def front(candidates: Sequence[CandidateResult]) -> tuple[Span, ...]:
 def expected(found: CandidateResult, seconds: float) -> Estimate:
     """relMSE after so long, by the candidate's curve.
 
-    Of a candidate that need not find all light, beyond the times it was rendered for, the worst is
-    expected: a floor as high as it can be without having been seen.
+    Of a candidate that need not find all light, the worst is expected beyond the time of all its
+    renders together, which is what their mean is worth and as far as a floor was looked for: one as
+    high as it can be without having been seen.
     """
     noise, floor = found.curve.noise, found.floor
     low, value, high = 0.0, found.curve.floor, 0.0

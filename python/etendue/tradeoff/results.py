@@ -127,7 +127,8 @@ class Choice:
     as_good: tuple[str, ...]
     """Others that the measurement does not tell from it."""
     extrapolated: bool
-    """The time is longer than anything measured: the curve says so, no render."""
+    """The time is longer than all renders of it together, whose mean picture is as good as one
+    render so long: the curve says what comes then, nothing measured."""
 
 
 @dataclass(frozen=True)
