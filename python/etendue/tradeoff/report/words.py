@@ -222,8 +222,8 @@ def cannot_be_concluded(result: TradeoffResult) -> Iterator[str]:
     if any(choice.extrapolated for choice in result.choices):
         yield (
             "Times marked “by its curve” are longer than all renders of that candidate together, "
-            "whose mean is as good as one render so long. A floor too low to be seen yet may end the "
-            "fall before; ways to render that need not find all light are expected to have one "
+            "whose mean is as good as one render so long. A floor too low to be seen yet may end "
+            "the fall before; ways to render that need not find all light are expected to have one "
             "there, as high as it could hide."
         )
     yield (
