@@ -137,7 +137,8 @@ def render(
     error: Annotated[
         float | None,
         typer.Option(
-            help="Relative error that is good enough, from the picture's own noise: 0.05 for 5 %."
+            help="Relative error that is good enough, from the picture's own noise: 0.05 for 5 %. "
+            "Takes 240 bytes a pixel of memory."
         ),
     ] = None,
     integrator: Annotated[str, typer.Option(help="|".join(INTEGRATORS))] = "bdpt",

@@ -44,8 +44,8 @@ class RenderOptions(TypedDict, total=False):
     time: seconds; the render ends at whichever limit comes first.
     error: relative error of the picture that is good enough, 0.05 for 5 %: the root of relMSE, as
         RenderStatistics.error estimates it from the picture's own noise. It is looked at now and
-        then from the 16th sample on. What a finite max_depth leaves out, and what is too rare for
-        any sample so far, is no noise and not in it.
+        then from the 16th sample on, and takes 240 bytes a pixel of memory. What a finite
+        max_depth leaves out, and what is too rare for any sample so far, is no noise and not in it.
     integrator: "path", "light" or "bdpt" (default).
     max_depth: bounces; 0 shows emission only. Default 16.
     seed: the same seed gives the same image, whatever the number of threads.
@@ -246,6 +246,10 @@ def _positive(what: str, value: float | None, wanted: str) -> float:
     """0 for None."""
     if value is None:
         return 0.0
-    if not value > 0 or not math.isfinite(value):
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not number > 0 or not math.isfinite(number):
         raise _core.SettingsError(f"{what} is {value}; it must be a positive {wanted}")
-    return value
+    return number
