@@ -215,7 +215,8 @@ def render(
     told = "interrupted, wrote" if interrupted else "wrote"
     samples = f"{statistics.passes} spp" if statistics.passes else "less than 1 spp"
     if isfinite(statistics.error):
-        samples += f", {error_text(statistics.error)}"
+        # Of a black picture 0 % would be said, which nobody knows.
+        samples += f", {error_text(statistics.error) if image.color.any() else 'nothing seen'}"
     if interrupted or not quiet:
         _say(
             f"{told} {output}: {image.width}x{image.height}, {samples}, "
