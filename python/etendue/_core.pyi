@@ -931,7 +931,8 @@ class RenderStatistics:
     def seconds(self) -> float: ...
     @property
     def error(self) -> float:
-        """sqrt(relMSE) that the picture's own noise lets expect; inf while unknown."""
+        """sqrt(relMSE) that the picture's own noise lets expect; inf while unknown: before 8
+        passes, and before 16 while the render runs."""
 
     @property
     def chosen(self) -> ChosenMethod | None:

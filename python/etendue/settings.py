@@ -45,10 +45,10 @@ class RenderOptions(TypedDict, total=False):
     time: seconds; the render ends at whichever limit comes first.
     error: relative error of the picture that is good enough, 0.05 for 5 %: the root of relMSE, as
         RenderStatistics.error estimates it from the picture's own noise. It is looked at now and
-        then from the 16th sample on. What a finite max_depth leaves out, and what is too rare for
-        any sample so far, is no noise and not in it.
-    adaptive: places the samples of path and bdpt where the noise is, tile by tile, from the 17th per
-        pixel on; without bias. Default False. light has none to place and stays as it is.
+        then from the 16th sample on, and takes 240 bytes a pixel of memory. What a finite
+        max_depth leaves out, and what is too rare for any sample so far, is no noise and not in it.
+    adaptive: places the samples of path and bdpt where the noise is, tile by tile, from the 17th
+        per pixel on; without bias. Default False. light has none to place and stays as it is.
     integrator: "path", "light", "bdpt" (default) or "auto", which chooses path, or bdpt with a
         number of light paths, by what the stage holds and, for renders long enough to pay for it,
         by a small trial of each. RenderStatistics.chosen tells; see integrator_text().
@@ -267,6 +267,10 @@ def _positive(what: str, value: float | None, wanted: str) -> float:
     """0 for None."""
     if value is None:
         return 0.0
-    if not value > 0 or not math.isfinite(value):
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not number > 0 or not math.isfinite(number):
         raise _core.SettingsError(f"{what} is {value}; it must be a positive {wanted}")
-    return value
+    return number

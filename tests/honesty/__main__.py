@@ -19,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from honesty import gain, presets
 from honesty.cases import BAR, CASES, Case
-from honesty.claims import Claims, claims, open_stage, percent, reference
+from honesty.claims import Claims, Reference, claims, open_stage, percent, reference
 from support.machine import machine
 from support.marked_table import Row, replace_between_markers, table
 
@@ -39,10 +39,9 @@ HEAD = (
 )
 
 
-def row(case: Case, target: float, found: Claims) -> Row:
+def row(case: Case, target: float, found: Claims, against: Reference) -> Row:
     ratios = found.ratios
     mean = f"{ratios.mean():.2f} ± {ratios.std(ddof=1) / np.sqrt(len(ratios)):.2f}"
-    error = found.brightness.std(ddof=1) / np.sqrt(len(ratios))
     return [
         case.stage,
         case.integrator,
@@ -53,7 +52,7 @@ def row(case: Case, target: float, found: Claims) -> Row:
         f"**{mean}**" if BAR[0] <= ratios.mean() <= BAR[1] else f"{mean} (missed)",
         f"{ratios.min():.2f}",
         f"{ratios.max():.2f}",
-        f"{found.brightness.mean():.4f} ± {error:.4f}",
+        f"{found.brightness.mean():.4f} ± {found.brightness_error(against):.4f}",
     ]
 
 
@@ -63,7 +62,7 @@ def rows(cases: list[Case], seeds: int) -> Iterator[Row]:
         against = reference(stage, case.reference_options())
         for target in case.targets:
             found = claims(stage, against, case.options(target), range(seeds))
-            cells = row(case, target, found)
+            cells = row(case, target, found, against)
             print(" | ".join(cells), f"{found.cpu.sum():.1f} CPU s", file=sys.stderr, flush=True)
             yield cells
 

@@ -27,6 +27,7 @@ class Reference:
 
     color: FloatArray  #: (h, w, 3)
     rel_mse: float  #: what its noise adds, in the mean, to the relMSE of any picture against it
+    mean_error: float  #: standard error of its mean over its mean; all channels have the same luck
 
     def off(self, image: etendue.Image) -> float:
         """relMSE of an independent picture, free of the reference's noise; may be negative."""
@@ -42,6 +43,12 @@ class Claims:
     brightness: FloatArray  #: mean of the picture over the reference's
     spp: FloatArray
     cpu: FloatArray  #: seconds, the setting-up of the scene included
+
+    def brightness_error(self, against: Reference) -> float:
+        """Standard error of the mean brightness: of the seeds, and of the reference, which all of
+        them have in common."""
+        of_seeds = self.brightness.std(ddof=1) / np.sqrt(self.brightness.size)
+        return float(np.hypot(of_seeds, self.brightness.mean() * against.mean_error))
 
     @property
     def ratios(self) -> FloatArray:
@@ -63,7 +70,12 @@ def reference(stage: etendue.Stage, options: RenderOptions) -> Reference:
     image = stage.render(**ours)
     color = image.color.astype(np.float64)
     noise = np.sqrt(image["variance"].astype(np.float64))
-    return Reference(color, float(relative_squared_error(color + noise, color).mean()))
+    of_pixels = noise.mean(axis=-1)
+    return Reference(
+        color,
+        float(relative_squared_error(color + noise, color).mean()),
+        float(np.sqrt((of_pixels**2).sum()) / of_pixels.size / color.mean()),
+    )
 
 
 def claims(

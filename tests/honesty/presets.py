@@ -9,11 +9,20 @@ import numpy as np
 
 from etendue.presets import PRESETS
 from etendue.settings import RenderOptions
+from honesty.cases import BAR
 from honesty.claims import claims, open_stage, percent, reference
 from support.marked_table import Row
 
 DIAL_HEAD = ("preset", "error", "max depth", "spp at most")
-HEAD = ("stage", "preset", "spp", "CPU s / megapixel", "claimed", "actual")
+HEAD = (
+    "stage",
+    "preset",
+    "spp",
+    "CPU s / megapixel",
+    "claimed",
+    "actual",
+    "actual / claimed relMSE",
+)
 RESOLUTION = (24, 18)
 #: The longest preset's renders are long enough to do with one.
 SEEDS = {"draft": 8, "preview": 8, "final": 4, "reference": 1}
@@ -41,6 +50,7 @@ def rows(stages: list[str]) -> Iterator[Row]:
         for preset, seeds in SEEDS.items():
             found = claims(stage, against, {**options, "preset": preset}, range(seeds))
             megapixels = RESOLUTION[0] * RESOLUTION[1] / 1e6
+            ratio = found.actual.mean() / found.claimed.mean()
             cells = [
                 name,
                 preset,
@@ -48,6 +58,7 @@ def rows(stages: list[str]) -> Iterator[Row]:
                 f"{found.cpu.mean() / megapixels:.3g}",
                 percent(np.sqrt(found.claimed.mean())),
                 percent(np.sqrt(max(0.0, found.actual.mean()))),
+                f"{ratio:.2f}" if BAR[0] <= ratio <= BAR[1] else f"{ratio:.2f} (missed)",
             ]
             print(" | ".join(cells), file=sys.stderr, flush=True)
             yield cells

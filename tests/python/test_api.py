@@ -545,3 +545,10 @@ def test_normals_are_those_of_shading() -> None:
     assert np.linalg.norm(normal, axis=-1) == pytest.approx(1, abs=1e-5)
     # The plane's own is (0, 1, 0); the map's slopes are up to 46 degrees, halved.
     assert 0.7 < normal[..., 1].min() < 0.95
+
+
+@pytest.mark.parametrize("option", ["error", "time"])
+def test_a_limit_that_is_no_number_is_refused(option: str) -> None:
+    stage = etendue.open(StageBuilder().lit_quad().stage)
+    with pytest.raises(etendue.SettingsError, match=f"{option} is x; it must be a positive number"):
+        stage.render(**{option: "x"})  # type: ignore[arg-type]

@@ -183,6 +183,17 @@ def test_error_ends_the_render(
     assert float(match[1]) / 100 == pytest.approx(claimed, rel=0.01)
 
 
+def test_black_picture_claims_no_error(
+    file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Emission alone, of a lamp that is out of view."""
+    arguments = ["-o", str(tmp_path / "a.exr"), "--resolution", "8x6", "--error", "0.2"]
+    assert cli.run(["render", str(file), *arguments, "--max-depth", "0"]) == 0
+    told = capsys.readouterr().err.splitlines()[-1]
+    assert "nothing seen" in told
+    assert "error" not in told
+
+
 @pytest.mark.usefixtures("ctrl_c_interrupts")
 def test_ctrl_c_writes_what_there_is(file: Path, tmp_path: Path) -> None:
     out = tmp_path / "a.exr"

@@ -7,6 +7,7 @@ import csv
 import dataclasses
 import io
 import json
+import math
 import re
 from pathlib import Path
 
@@ -15,8 +16,10 @@ import pytest
 from playwright.sync_api import Browser
 from rich.console import Console
 
-from etendue.tradeoff import TradeoffResult
+from etendue.settings import RenderOptions
+from etendue.tradeoff import TradeoffResult, tradeoff
 from etendue.tradeoff.candidates import CANDIDATES
+from etendue.tradeoff.rendering import LongRender
 from etendue.tradeoff.report import summary_table, write_report
 from etendue.tradeoff.report.csv_file import COLUMNS, as_csv
 from etendue.tradeoff.report.json_file import SCHEMA, as_json
@@ -24,14 +27,17 @@ from etendue.tradeoff.report.plots import highlighted, overview_url
 from etendue.tradeoff.report.words import (
     cannot_be_concluded,
     choice_sentence,
+    default_sentence,
     error_percent,
     headline,
     slope_sentence,
     verdict_sentence,
 )
+from etendue.validation.results import Estimate
 from support.browser import WIDTHS, Visit, check_page
 from support.json_schema import strict, undescribed
-from support.made_up_renders import made_up_result
+from support.made_up_renders import MadeUp, Way, made_up_result, made_up_stage
+from support.validation_results import picture
 
 NAMES = ("path", "light", "bdpt", "bdpt-no-light-image", "bdpt-depth-4")
 
@@ -117,6 +123,62 @@ def test_overview_draws_the_lines(found: TradeoffResult) -> None:
     assert {"bdpt", "path", "light", "bdpt-depth-4"} <= set(highlighted(found))
 
 
+# ------------------------------------------------------------------------- errors not seen
+
+
+class TooModest(MadeUp):
+    """Its reference claims far more noise than it has: all errors seem to be below nothing."""
+
+    def long_render(self, options: RenderOptions, passes: int, seed: int) -> LongRender:
+        image = super().long_render(options, passes, seed)
+        return LongRender(image.color, 1e6 * image.variance)
+
+
+EXACT = {name: Way(noise=0) for name in ("reference", "path", "bdpt")}
+MODEST = {name: Way(noise=0.3) for name in ("path", "bdpt")}
+
+
+def unseen(renderer: MadeUp) -> TradeoffResult:
+    return tradeoff(
+        made_up_stage(),
+        resolution=(32, 24),
+        time=30.0,
+        only=["path", "bdpt"],
+        renderer=lambda *_: renderer,
+    )
+
+
+@pytest.mark.parametrize(
+    "renderer", [MadeUp(EXACT, picture()), TooModest(MODEST, picture())], ids=["exact", "modest"]
+)
+def test_errors_that_are_not_seen(renderer: MadeUp, tmp_path: Path) -> None:
+    """A page all the same; nobody wins by having less than no error."""
+    found = unseen(renderer)
+    assert all(one.rungs[-1].rel_mse.value <= 0 for one in found.candidates)
+    assert headline(found) == "No error is seen of bdpt: nothing here tells how good it is"
+    for choice in found.choices:
+        assert (choice.best, choice.as_good) == ("bdpt", ("path",))
+    assert all(math.isnan(one.relative_efficiency.value) for one in found.candidates)
+    assert write_report(found, tmp_path).exists()
+    document = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator(strict(schema)).validate(document)
+    page = (tmp_path / "index.html").read_text(encoding="utf-8")
+    assert not re.search(r"\bnan\b|less than none", re.sub(r'src="[^"]*"', "", page))
+    console = Console(width=80, record=True, file=io.StringIO())
+    console.print(summary_table(found))
+    assert console.export_text().count("unknown") >= 4
+
+
+def test_drawing_without_some_of_the_points(tmp_path: Path) -> None:
+    """One candidate's error is seen, and it is the only one that others are measured by."""
+    found = unseen(MadeUp({**EXACT, "path": Way(noise=0.3)}, picture()))
+    assert found.choices[-1].best == "bdpt"
+    assert found["path"].relative_efficiency.value == 1
+    assert math.isnan(found["bdpt"].relative_efficiency.value)
+    assert write_report(found, tmp_path).exists()
+
+
 # ------------------------------------------------------------------------------------ files
 
 
@@ -195,10 +257,28 @@ def test_choices_in_words(found: TradeoffResult) -> None:
     assert headline(stopped).endswith("; interrupted after 6 rounds, 1 candidate not measured")
 
 
+def test_no_reason_speaks_against_the_choice(found: TradeoffResult) -> None:
+    """A default that seems to be better but rests on a few pixels, or seems to be as slow."""
+    choice = next(choice for choice in found.choices if choice.best == "light")
+
+    def told(noise: float, outliers: float) -> str:
+        curve = dataclasses.replace(found["bdpt"].curve, noise=Estimate(noise, 0, 1, 0.95))
+        default = dataclasses.replace(found["bdpt"], curve=curve, outliers=outliers)
+        return default_sentence(dataclasses.replace(found, candidates=(default,)), choice)
+
+    reached = choice.rel_mse.value * choice.seconds
+    assert told(2.5 * reached, 0.03) == "The default takes 2.5 times as long for the same error."
+    assert told(0.16 * reached, 0.03) == ""
+    assert told(math.inf, 0.03) == ""
+    assert told(0.16 * reached, 0.4).startswith("The default's figures rest on a few bright pixels")
+
+
 def test_what_cannot_be_concluded_is_told(found: TradeoffResult) -> None:
     told = list(cannot_be_concluded(found))
     assert any("bdpt-no-light-image" in line and "Rare bright pixels" in line for line in told)
     assert not any("too noisy" in line for line in told)
+    # Beyond the longest single render their mean has been measured.
+    assert any("longer than all renders of that candidate together" in line for line in told)
     noisy = dataclasses.replace(found, reference=dataclasses.replace(found.reference, rel_mse=1.0))
     assert any("too noisy (100 %) to judge" in line for line in cannot_be_concluded(noisy))
     unknown = list(cannot_be_concluded(unknown_reference(found)))

@@ -7,10 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from pxr import Gf, UsdRender
 
 import etendue
 from etendue.arrays import FloatArray, Pixels
 from etendue.comparison.distance import relative_squared_error
+from etendue.stage import Stage
 from etendue.tradeoff import tradeoff
 from etendue.tradeoff.candidates import CANDIDATES
 from etendue.tradeoff.fit import FALSE_ALARM, Curve, Floor, curve, floor, positive_mean, slope
@@ -21,6 +23,7 @@ from etendue.tradeoff.rendering import Snapshot
 from etendue.tradeoff.results import CandidateResult
 from etendue.validation.results import Estimate
 from support.made_up_renders import MadeUp, Way, made_up_result, made_up_stage, parts, samples
+from support.stage_builder import StageBuilder
 from support.validation_results import picture
 
 SEEDS = 6
@@ -285,6 +288,54 @@ def test_unseen_floors_are_feared_beyond_what_was_measured() -> None:
     assert long is not None
     assert (short.best, long.best) == ("light", "bdpt")
     assert (short.extrapolated, long.extrapolated) == (False, True)
+
+
+def test_the_mean_of_all_renders_counts_as_measured() -> None:
+    """As good as one that takes as long as all of them: up to there nothing is extrapolated."""
+    found = candidate("light", 0.3, hidden=0.01)
+    longest, together = found.rungs[-1].seconds, found.pooled.seconds
+    assert together == pytest.approx(SEEDS * longest)
+    for seconds, beyond in (
+        (2 * longest, False),
+        (0.99 * together, False),
+        (1.01 * together, True),
+    ):
+        choice = choose((found,), seconds)
+        assert choice is not None
+        assert choice.extrapolated == beyond
+        assert choice.rel_mse.value == pytest.approx(0.3 / seconds + (0.01 if beyond else 0))
+
+
+@pytest.mark.parametrize(
+    ("full", "looked_at"),
+    [
+        ((960, 720), (160, 120)),
+        ((720, 960), (120, 160)),
+        ((64, 48), (64, 48)),
+        ((1, 16384), (1, 160)),
+        ((16384, 1), (160, 1)),
+    ],
+)
+def test_no_view_is_enlarged(full: tuple[int, int], looked_at: tuple[int, int]) -> None:
+    """By default it is made smaller."""
+    stage = StageBuilder().lit_quad().stage
+    product = UsdRender.Product.Define(stage, "/Product")
+    product.CreateResolutionAttr(Gf.Vec2i(*full))
+    product.CreateCameraRel().SetTargets(["/Camera"])
+    settings = UsdRender.Settings.Define(stage, "/Settings")
+    settings.CreateProductsRel().SetTargets(["/Product"])
+    stage.SetMetadata("renderSettingsPrimPath", "/Settings")
+    asked: list[tuple[int, int]] = []
+
+    def renderer(stage: Stage, camera: str | None, resolution: tuple[int, int]) -> MadeUp:
+        del stage, camera
+        asked.append(resolution)
+        width, height = resolution
+        return MadeUp({}, picture(height, width))
+
+    found = tradeoff(stage, time=1.0, only=["bdpt"], renderer=renderer)
+    assert found.full_resolution == full
+    assert asked == [looked_at]
 
 
 @pytest.mark.parametrize("time", [0.0, -1.0, math.nan, math.inf])

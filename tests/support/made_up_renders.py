@@ -39,6 +39,8 @@ def samples(
     random: np.random.Generator, truth: FloatArray, noise: float, passes: int
 ) -> FloatArray:
     """The mean of so many passes, (h, w, 3): all channels of a pixel have the same luck."""
+    if noise == 0:
+        return truth
     shape = passes / noise**2
     luck = random.gamma(shape, 1 / shape, truth.shape[:2])
     return np.asarray(truth * luck[..., None], dtype=np.float64)

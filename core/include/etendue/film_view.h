@@ -62,10 +62,10 @@ struct RenderStatistics {
     ///
     /// with e the pixel's error in each channel, m the mean of its true channels, and M that of the whole picture.
     /// Channels count alike: noise in blue is noise. Estimated from the replicates that the variance AOV is made of, as
-    /// last looked at: passes since grew by less than a factor of two, none once the render has ended. Known from 8
-    /// complete passes on, if there is an error target or that AOV, or if samples are placed adaptively. It is noise
-    /// that is estimated, without what a finite depth leaves out, and only noise that has been seen: an event too rare
-    /// for any pass so far is not in it.
+    /// last looked at: passes since grew by less than a factor of two, none once the render has ended. Known, if there
+    /// is an error target or that AOV, or if samples are placed adaptively, once a render of 8 complete passes or more
+    /// has ended, and while it runs from the first look on, at 16. It is noise that is estimated, without what a finite
+    /// depth leaves out, and only noise that has been seen: an event too rare for any pass so far is not in it.
     double error = std::numeric_limits<double>::infinity();
     std::optional<ChosenMethod> chosen;  ///< by IntegratorKind::Auto; empty until it has, and for others
     std::uint64_t camera_paths = 0;

@@ -41,12 +41,20 @@ def read_exr(file: str | os.PathLike[str], layer: str | None = None) -> Picture:
     channels = color_channels(names, chosen)
     assert channels is not None  # a layer is chosen for having them
     part = names[channels[0]].part
-    window = _data_window(part)
+    window = _window(part, "dataWindow")
     color = _planes(name, names, channels, window)
     _check_finite(name, channels, color, window)
     variance = _variance(name, names, variance_channels(names, chosen), window)
     chromaticities = part.header.get("chromaticities", REC709_CHROMATICITIES)
-    return Picture(name, window, color, variance, chosen, tuple(map(float, chromaticities)))
+    return Picture(
+        name,
+        window,
+        color,
+        variance,
+        chosen,
+        tuple(map(float, chromaticities)),
+        _window(part, "displayWindow"),
+    )
 
 
 def _parts(name: str) -> list[Any]:
@@ -83,8 +91,8 @@ def _silent() -> Iterator[None]:
         os.close(kept)
 
 
-def _data_window(part: Any) -> Window:
-    (x0, y0), (x1, y1) = part.header["dataWindow"]
+def _window(part: Any, name: str) -> Window:
+    (x0, y0), (x1, y1) = part.header[name]
     return int(x0), int(y0), int(x1) + 1, int(y1) + 1
 
 

@@ -28,6 +28,13 @@ class Picture:
     layer: str = ""
     """What stands before .R, .G and .B in the file; empty for the plain ones."""
     chromaticities: tuple[float, ...] = REC709_CHROMATICITIES
+    full_window: tuple[int, int, int, int] | None = None
+    """Of the full image, like `window`; None when the picture is all of it."""
+
+    @property
+    def whole(self) -> bool:
+        """It is no crop."""
+        return self.full_window in (None, self.window)
 
     @cached_property
     def luminance(self) -> FloatArray:

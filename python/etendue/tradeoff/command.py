@@ -41,7 +41,9 @@ def tradeoff_command(
     frame: FrameOption = None,
     resolution: Annotated[
         str | None,
-        typer.Option(metavar="WxH", help=f"Default: the reference file's, or {WIDTH} wide."),
+        typer.Option(
+            metavar="WxH", help=f"Default: the reference file's, or at most {WIDTH}x{WIDTH}."
+        ),
     ] = None,
     time: Annotated[
         float,

@@ -8,6 +8,7 @@ from math import ceil, log10
 
 import numpy as np
 
+from etendue.tradeoff.candidates import DEFAULT
 from etendue.tradeoff.results import CandidateResult, Choice, Span, is_known
 from etendue.validation.results import Estimate
 
@@ -41,8 +42,9 @@ def front(candidates: Sequence[CandidateResult]) -> tuple[Span, ...]:
 def expected(found: CandidateResult, seconds: float) -> Estimate:
     """relMSE after so long, by the candidate's curve.
 
-    Of a candidate that need not find all light, beyond the times it was rendered for, the worst is
-    expected: a floor as high as it can be without having been seen.
+    Of a candidate that need not find all light, the worst is expected beyond the time of all its
+    renders together, which is what their mean is worth and as far as a floor was looked for: one as
+    high as it can be without having been seen.
     """
     noise, floor = found.curve.noise, found.floor
     low, value, high = 0.0, found.curve.floor, 0.0
@@ -62,13 +64,16 @@ def choose(candidates: Sequence[CandidateResult], seconds: float) -> Choice | No
     """Among those that finish a pass in that time; None when nobody does.
 
     What rests on a few pixels may be far worse than it seems, and is not chosen if there is
-    anything else.
+    anything else. Errors that are not positive are less than the reference tells: none of them is
+    better than another, and the default is preferred.
     """
     ready = [found for found in candidates if found.pass_seconds <= seconds]
     if not ready:
         return None
     sure = [found for found in ready if not found.fireflies] or ready
-    ranked = sorted(sure, key=lambda found: expected(found, seconds).value)
+    ranked = sorted(
+        sure, key=lambda found: (max(expected(found, seconds).value, 0.0), found.name != DEFAULT)
+    )
     best, others = ranked[0], ranked[1:]
     error = expected(best, seconds)
     as_good = tuple(

@@ -22,6 +22,8 @@ from etendue.validation.statistics import LEVEL, Samples
 
 #: Part of the pixels that `outliers` looks at.
 _FEW = 1e-3
+#: Squared relative error of a pixel that is the rounding of 32-bit floats, and no error.
+_ROUNDING = 1e-12
 #: Passes of the longest renders at least: fewer make no line.
 _LEAST = 4
 #: Shortest renders: so many halvings of the longest.
@@ -77,7 +79,9 @@ class Measured:
 
     def relative_to(self, best: Measured) -> CandidateResult:
         """Efficiency over that of the best, from the rounds that both have: what slowed the machine
-        down in one of them slowed both."""
+        down in one of them slowed both. NaN where either's error is not seen."""
+        if not (best.costs.mean() > 0 and self.costs.mean() > 0):
+            return self.result
         rounds = min(best.costs.size, self.costs.size)
         found = Samples(best.costs[:rounds], self.costs[:rounds]).estimate()
         return replace(self.result, relative_efficiency=replace(found, low=max(found.low, 0.0)))
@@ -159,7 +163,8 @@ class _Seen:
         return self._off(self.mean)
 
     def _off(self, picture: Pixels) -> FloatArray:
-        return relative_squared_error(picture, self.reference.color)
+        error = relative_squared_error(picture, self.reference.color)
+        return np.where(error > _ROUNDING, error, 0.0)
 
 
 def _rungs(passes: Sequence[int], errors: FloatArray, times: FloatArray) -> tuple[Rung, ...]:

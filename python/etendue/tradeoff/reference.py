@@ -111,8 +111,10 @@ def _around(grey: FloatArray) -> FloatArray:
 
 def _size(picture: Picture) -> tuple[int, int]:
     x0, y0, x1, y1 = picture.window
-    if (x0, y0) != (0, 0):
-        raise ComparisonError(f"{picture.file}: is a crop at {x0}, {y0}; a reference is whole")
+    if (x0, y0) != (0, 0) or not picture.whole:
+        raise ComparisonError(
+            f"{picture.file}: is a crop of {x1 - x0}x{y1 - y0} at {x0}, {y0}; a reference is whole"
+        )
     return x1, y1
 
 

@@ -54,7 +54,8 @@ class CandidateResult:
     efficiency: Estimate
     """1 / (relMSE x seconds), of the longest renders."""
     relative_efficiency: Estimate
-    """Over that of the best candidate without a floor."""
+    """Over that of the best candidate without a floor whose error is seen; NaN, as `efficiency`,
+    where its own is not: with the reference's noise taken away, nothing is left."""
     brightness: Estimate
     """Mean luminance over the reference's."""
     outliers: float
@@ -78,6 +79,11 @@ class CandidateResult:
     def hidden_floor(self) -> float:
         """relMSE that would not have been seen in the noise; no floor is negative."""
         return max(self.floor.high, self.floor.high - self.floor.value)
+
+    @property
+    def error_seen(self) -> bool:
+        """Of the longest renders; where it is not, nothing tells them from exact ones."""
+        return self.rungs[-1].rel_mse.value > 0
 
     @property
     def end_slope(self) -> float:
@@ -121,7 +127,8 @@ class Choice:
     as_good: tuple[str, ...]
     """Others that the measurement does not tell from it."""
     extrapolated: bool
-    """The time is longer than anything measured: the curve says so, no render."""
+    """The time is longer than all renders of it together, whose mean picture is as good as one
+    render so long: the curve says what comes then, nothing measured."""
 
 
 @dataclass(frozen=True)

@@ -26,7 +26,7 @@ from etendue.validation.statistics import LEVEL, at_least_one
 
 #: Seconds of all renders together.
 TIME = 180.0
-#: Pixels across.
+#: Pixels across and down, at most.
 WIDTH = 160
 #: Independent renders of every candidate.
 SEEDS = 6
@@ -51,7 +51,8 @@ def tradeoff(
     """Measures what errors ways to render the stage reach in what time.
 
     stage: a file, a Usd.Stage, or what etendue.open() returned.
-    resolution: default: the reference's if that is a file, else 160 wide.
+    resolution: default: the reference's if that is a file, else the view's own, or as much smaller
+        as makes it at most 160 wide and high.
     time: seconds of all renders together, on a machine that does nothing else.
     only: names of candidate_names(); default all.
     reference: an EXR file to measure by, whole, linear Rec.709; default: a third of the time goes
@@ -81,8 +82,10 @@ def tradeoff(
 
 
 def _small(full: tuple[int, int]) -> tuple[int, int]:
-    width, height = full
-    return WIDTH, max(1, round(WIDTH * height / width))
+    """Of the same aspect, and never larger than the view."""
+    scale = min(1.0, WIDTH / max(full))
+    width, height = (max(1, round(scale * pixels)) for pixels in full)
+    return width, height
 
 
 @dataclass
@@ -175,6 +178,10 @@ class _Run:
 
 
 def _best(measured: list[Measured]) -> Measured:
-    """The most efficient without a floor, if there is one: others' errors stop falling."""
+    """The most efficient without a floor, if there is one: others' errors stop falling.
+
+    Of those whose error is seen, if there is one: a ratio to what is not seen says nothing.
+    """
     honest = [one for one in measured if one.result.verdict != "floor"] or measured
-    return min(honest, key=lambda one: float(one.costs.mean()))
+    seen = [one for one in honest if one.costs.mean() > 0] or honest
+    return min(seen, key=lambda one: float(one.costs.mean()))

@@ -51,7 +51,9 @@ def _overview(figure: Any, result: TradeoffResult, shown: Sequence[str]) -> None
     drawn[_GUIDE] = _guide(axes, result)
     for index, name in enumerate(shown):
         drawn[name] = _strong(axes, result[name], index)
-    labels = [*shown, *(label for label in ("others", _FRONT, _GUIDE) if label in drawn)]
+    labels = [label for label in (*shown, "others", _FRONT, _GUIDE) if drawn.get(label)]
+    if not labels:
+        return
     figure.legend(
         [drawn[label] for label in labels],
         labels,
@@ -78,9 +80,11 @@ def _axes(figure: Any, result: TradeoffResult) -> Any:
     axes.set_ylabel("squared error, relMSE")
     formatter = extra("matplotlib.ticker").FuncFormatter(lambda value, _: f"{value:g}")
     axes.xaxis.set_major_formatter(formatter)
-    x, y = zip(*(point for found in result.candidates for point in _points(found)), strict=True)
-    axes.set_xlim(min(x) / 1.3, max(x) * 3)
-    axes.set_ylim(min(y) / 3, min(max(y) * 2, min(y) * _SHOWN))
+    points = [point for found in result.candidates for point in _points(found)]
+    if points:
+        x, y = zip(*points, strict=True)
+        axes.set_xlim(min(x) / 1.3, max(x) * 3)
+        axes.set_ylim(min(y) / 3, min(max(y) * 2, min(y) * _SHOWN))
     # Named like the claim of a render: the root, as a share of the brightness.
     percents = axes.secondary_yaxis(
         "right", functions=(lambda e: 100 * np.sqrt(np.maximum(e, 0)), lambda p: (p / 100) ** 2)
@@ -105,15 +109,22 @@ def _points(found: CandidateResult) -> list[tuple[float, float]]:
 
 
 def _faint(axes: Any, found: CandidateResult) -> Any:
-    (line,) = axes.plot(*np.array(_points(found)).T, color=_GREY, linewidth=1, zorder=1)
+    """None where there is nothing to draw."""
+    points = _points(found)
+    if not points:
+        return None
+    (line,) = axes.plot(*np.array(points).T, color=_GREY, linewidth=1, zorder=1)
     return line
 
 
 def _front(axes: Any, result: TradeoffResult) -> Any:
-    """A broad line under the lowest curves."""
+    """A broad line under the lowest curves; None where they are of errors that are not seen."""
+    line = None
     for span in result.front:
-        x = np.geomspace(span.begin, span.end, 20)
         curve = result[span.best].curve
+        if not curve.noise.value > 0:
+            continue
+        x = np.geomspace(span.begin, span.end, 20)
         (line,) = axes.plot(
             x, curve.noise.value / x + curve.floor, color="#f0d878", linewidth=7, zorder=0
         )
@@ -121,11 +132,11 @@ def _front(axes: Any, result: TradeoffResult) -> Any:
 
 
 def _guide(axes: Any, result: TradeoffResult) -> Any:
-    """A line of slope -1, through the best point's error."""
-    best = min(
-        (point for found in result.candidates for point in _points(found)),
-        key=lambda point: point[0] * point[1],
-    )
+    """A line of slope -1, through the best point's error; None without points."""
+    points = [point for found in result.candidates for point in _points(found)]
+    if not points:
+        return None
+    best = min(points, key=lambda point: point[0] * point[1])
     x = np.array(axes.get_xlim())
     (line,) = axes.plot(
         x, best[0] * best[1] / x / 2, color="#5a636e", linewidth=1, linestyle=(0, (1, 2)), zorder=0
@@ -134,7 +145,10 @@ def _guide(axes: Any, result: TradeoffResult) -> Any:
 
 
 def _strong(axes: Any, found: CandidateResult, index: int) -> Any:
-    """Points with intervals, the mean of all renders hollow, and the curve on beyond them."""
+    """Points with intervals, the mean of all renders hollow, and the curve on beyond them; None
+    without points."""
+    if not _points(found):
+        return None
     color, marker = COLORS[index % len(COLORS)], MARKERS[index % len(MARKERS)]
     seconds = np.array([rung.seconds for rung in found.rungs])
     errors = np.array([rung.rel_mse.value for rung in found.rungs])

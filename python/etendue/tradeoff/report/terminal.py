@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 from rich.table import Table
 from rich.text import Text
 
@@ -21,8 +23,12 @@ def summary_table(result: TradeoffResult) -> Table:
         table.add_row(
             Text(found.name),
             error_percent(found.rungs[-1].rel_mse.value),
-            f"{found.slope.value:.2f}",
-            f"{found.relative_efficiency.value:.2g}",
+            _told(found.slope.value, ".2f"),
+            _told(found.relative_efficiency.value, ".2g"),
             Text(found.verdict, _STYLES[found.verdict]),
         )
     return table
+
+
+def _told(value: float, digits: str) -> str:
+    return format(value, digits) if isfinite(value) else "unknown"

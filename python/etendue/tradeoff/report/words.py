@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import isfinite, sqrt
+from math import inf, isfinite, sqrt
 
 from etendue.interval import interval_text
 from etendue.numbers import counted, percent, short
@@ -18,6 +18,8 @@ _TOO_NOISY = 0.5
 def efficiency_text(found: CandidateResult) -> str:
     """Over that of the best."""
     relative = found.relative_efficiency
+    if not isfinite(relative.value):
+        return "unknown"
     if relative.low > 1 - 1e-4 and relative.high < 1 + 1e-4:
         return "1, the best"
     return "below 0.01" if relative.value < 0.01 else interval_text(relative)
@@ -39,6 +41,8 @@ def verdict_sentence(found: CandidateResult) -> str:
     """Whether it gets there, and what is missing where it does not."""
     if found.verdict == "floor":
         return f"{_floor(found)} {_brightness(found)}{found.candidate.if_short}"
+    if found.verdict == "converges" and not found.hidden_floor > 0:
+        return "Converges to the reference: not any difference is seen."
     if found.verdict == "converges":
         return (
             "Converges to the reference as far as can be told: what no time would remove is less "
@@ -75,6 +79,8 @@ def _brightness(found: CandidateResult) -> str:
 def slope_sentence(found: CandidateResult) -> str:
     """What the line does."""
     slope = found.slope
+    if not found.error_seen:
+        return "There is no line: what it is off by is not seen."
     if found.verdict == "floor":
         return f"Bends towards flat: at its end the slope is {found.end_slope:.2f}."
     if not is_known(slope) or slope.high - slope.low > 0.5:
@@ -90,6 +96,8 @@ def choice_sentence(result: TradeoffResult, choice: Choice) -> str:
     """Why that one."""
     best = result[choice.best]
     parts = [f"{best.candidate.what}."]
+    if not choice.rel_mse.value > 0:
+        parts.append("Its error is not seen, so nothing tells it from others.")
     if choice.best == DEFAULT:
         parts.append("This is the default.")
     elif DEFAULT in choice.as_good:
@@ -113,15 +121,19 @@ def choice_sentence(result: TradeoffResult, choice: Choice) -> str:
 
 
 def default_sentence(result: TradeoffResult, choice: Choice) -> str:
-    """How much longer the default takes for what the choice gives; empty where it was not measured,
-    or never gets there."""
+    """How much longer the default takes for what the choice gives, or why it was not chosen; empty
+    where it was not measured, never gets there, or is not slower."""
     if DEFAULT not in {found.name for found in result.candidates}:
         return ""
+    if result[DEFAULT].fireflies:
+        return "The default's figures rest on a few bright pixels, and are not compared."
     curve = result[DEFAULT].curve
     noise = choice.rel_mse.value - curve.floor
     if not noise > 0:
         return ""
     times = curve.noise.value / noise / choice.seconds
+    if not 1 < times < inf:
+        return ""
     return f"The default takes {times:.2g} times as long for the same error."
 
 
@@ -152,6 +164,8 @@ def _best(result: TradeoffResult) -> str:
     choice = longest_choice(result)
     if choice is None:
         return "Nothing finishes a picture in the times looked at"
+    if not choice.rel_mse.value > 0:
+        return f"No error is seen of {choice.best}: nothing here tells how good it is"
     name = f"the default, {DEFAULT}" if choice.best == DEFAULT else choice.best
     error = error_percent(choice.rel_mse.value)
     return f"Best here is {name}: {error} of error after {seconds_text(choice.seconds)}"
@@ -207,9 +221,10 @@ def cannot_be_concluded(result: TradeoffResult) -> Iterator[str]:
         )
     if any(choice.extrapolated for choice in result.choices):
         yield (
-            "Times marked “by its curve” are longer than any render made here. A floor too low to "
-            "be seen yet may end the fall before; ways to render that need not find all light are "
-            "expected to have one there, as high as it could hide."
+            "Times marked “by its curve” are longer than all renders of that candidate together, "
+            "whose mean is as good as one render so long. A floor too low to be seen yet may end "
+            "the fall before; ways to render that need not find all light are expected to have one "
+            "there, as high as it could hide."
         )
     yield (
         "The reference is by bdpt, which all candidates share parts with: light that none of them "
