@@ -109,7 +109,7 @@ public:
           film_(settings_, render_window(settings_), integrator_->image_strategies()),
           watch_(settings_.error_target) {
         if (settings_.integrator == IntegratorKind::Auto) {
-            pilot_camera_ = off_surfaces(scene_, make_camera(scene, pilot_settings(settings_), origin_));
+            pilot_camera_ = off_surfaces(scene_, make_camera(scene, pilot_settings(settings_), origins_.world));
         }
     }
 
