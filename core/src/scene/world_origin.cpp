@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/ray.h"
 #include "light/usd_lux.h"
 #include "math/constants.h"
 
@@ -83,7 +84,8 @@ Vec3 origin_next_to(const Box& box) {
     const Vec3 center = (box.lower + box.upper) * 0.5;
     const Vec3 origin =
         Vec3{std::round(center.x / step), std::round(center.y / step), std::round(center.z / step)} * step;
-    return is_finite(origin) ? origin : Vec3{};
+    // Otherwise what lies out of reach is complained of by its own name.
+    return is_finite(origin) && within_reach(origin) ? origin : Vec3{};
 }
 
 }  // namespace
