@@ -1,6 +1,7 @@
 #include "camera/camera.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <etendue/error.h>
@@ -33,6 +34,10 @@ void check_attributes(const CameraDesc& camera, int width, int height) {
     require_not_negative(camera, camera.f_stop, "f-stop");
     require_not_negative(camera, camera.focus_distance, "focus distance");
     require_not_negative(camera, camera.exposure_scale, "exposure scale");
+    // Times a lamp's radiance it must not overflow, and no picture shows more.
+    if (camera.exposure_scale > std::numeric_limits<float>::max()) {
+        fail(camera, "exposure scale is more than a float can hold");
+    }
     if (!std::isfinite(camera.horizontal_aperture_offset) || !std::isfinite(camera.vertical_aperture_offset)) {
         fail(camera, "aperture offset is not finite");
     }

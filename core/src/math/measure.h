@@ -17,4 +17,8 @@ inline double area_per_solid_angle(const Vec3& from, const Vec3& to, const Vec3&
     return abs_dot(d, n_g_to) / (d2 * std::sqrt(d2));
 }
 
+/// False for a point whose own plane `from` lies in, or the very same point: no light gets from there to there, and
+/// weights would be 0/0. Embree knows the planes of needles so badly that rays which leave them hit them again.
+inline bool arrives(const Vec3& from, const Vec3& to, const Vec3& n_g_to) { return abs_dot(to - from, n_g_to) > 0; }
+
 }  // namespace etendue

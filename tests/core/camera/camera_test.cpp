@@ -165,6 +165,7 @@ TEST(Camera, ErrorsNameTheCamera) {
     expect_error([](CameraDesc& c) { c.f_stop = -1; });
     expect_error([](CameraDesc& c) { c.focus_distance = -2; });
     expect_error([](CameraDesc& c) { c.exposure_scale = -2; });
+    expect_error([](CameraDesc& c) { c.exposure_scale = 1e39; });  // more than a float can hold
     expect_error([](CameraDesc& c) { c.world_from_camera.m[5] = 0; });
     // What Embree cannot trace.
     expect_error([](CameraDesc& c) { c.world_from_camera.m[3] = 2e18; });

@@ -89,6 +89,19 @@ TEST(Aov, DepthOfAGrazingRayIsNotRoundedAway) {
     }
 }
 
+/// Rays leave a lens this wide for its focus at right angles to the view: how far they go forward is less than the
+/// roundings of their directions.
+TEST(Aov, DepthBehindAHugeLensIsNotNegative) {
+    SceneBuilder b;
+    b.sphere({0.1, 0.2, 0.3}, 100, b.diffuse(0.5));
+    b.camera({0, 0, 0}, {0.3, 0.5, -1}, 40);
+    b.lens(1, 1e-17);
+    RenderSettings settings = small_settings(IntegratorKind::Path, 8, 1);
+    settings.aovs = {Aov::Depth};
+    const RenderedImage image = render(b.scene(), settings);
+    for (const float depth : image.find(Aov::Depth)->data) EXPECT_GE(depth, 0);
+}
+
 TEST(Aov, AskedForOrNotTheColourIsTheSame) {
     for (IntegratorKind integrator : kIntegrators) {
         RenderSettings settings = small_settings(integrator, 8, 2);

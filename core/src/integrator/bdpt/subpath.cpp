@@ -146,10 +146,10 @@ void SubpathTracer::trace_light(Sampler& sampler, LightSubpath& path, std::uint6
         ++rays;
         const auto si = context_.scene.intersect(walk->ray);
         add_crossing(*walk, si ? length(si->p - walk->ray.origin) : kInfinity, path);
-        if (!si || depth >= max_depth) return;
+        if (!si || depth >= max_depth || !arrives(walk->from, si->p, si->n_g)) return;
         SegmentMeasure m = measure_segment(walk->from, walk->n_from, si->p, si->n_g);
         if (walk->from_infinity) m = {abs_dot(walk->ray.direction, si->n_g), 1};
-        if (!(m.to > 0)) return;  // exactly grazing: a set of measure zero
+        if (!(m.to > 0)) return;  // exactly grazing light from infinity: a set of measure zero
         const MisState mis =
             depth == 0 ? first_light_state(*walk, *path.start, si->p, m.to, m.from) : arrive(*walk, m.to, m.from);
         add_vertex(*walk, *si, mis, path.vertices);
@@ -186,6 +186,7 @@ void SubpathTracer::trace_camera(const Vec2& raster, Sampler& sampler, CameraSub
     for (int depth = 0;; ++depth) {
         ++rays;
         const auto si = context_.scene.intersect(walk.ray);
+        if (si && !arrives(walk.from, si->p, si->n_g)) return;
         SegmentMeasure m{1, abs_dot(walk.ray.direction, walk.n_from)};  // to infinity
         if (si) m = measure_segment(walk.from, walk.n_from, si->p, si->n_g);
         if (si && walk.from_infinity) m = {abs_dot(walk.ray.direction, si->n_g), 1};

@@ -66,6 +66,7 @@ PixelSample PathIntegrator::sample_pixel(const Vec2& raster, Sampler& sampler, F
             add_infinite(walk, sample, tile);
             break;
         }
+        if (!arrives(walk.from, si->p, si->n_g)) break;
         if constexpr (Absorbs) walk.beta *= absorption.transmittance(walk.media, length(si->p - walk.from));
         if (si->light >= 0) add_emission(*si, walk, sample, tile);
         if (walk.depth >= settings.max_depth || !Scene::scatters(*si)) break;
