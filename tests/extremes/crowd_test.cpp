@@ -16,8 +16,10 @@ SceneDescription lit_by(int rows) {
     b.open_box(b.diffuse(0.5));
     const double width = 1.8 / rows;
     for (int i = 0; i < rows * rows; ++i) {
-        const double x = (i % rows + 0.5) * width - 0.9;
-        const double z = (i / rows + 0.5) * width - 0.9;
+        const int column = i % rows;
+        const int row = i / rows;
+        const double x = (column + 0.5) * width - 0.9;
+        const double z = (row + 0.5) * width - 0.9;
         b.rect_light({x, 0.9, z}, {0, -1, 0}, width, width, 4.0 / (rows * rows));
     }
     b.camera({0.1, 0.1, 3.8}, {0, 0, 0}, 36);

@@ -110,7 +110,7 @@ template <typename Model>
 class Models {
 public:
     explicit Models(std::vector<Place>& places, const char* model) : places_(places), model_(model) {
-        scene_.scene().materials[0].model = Model{};
+        room.scene().materials[0].model = Model{};
     }
     void number(const char* name, double Model::* member) {
         set(name, [member](Model& m, double x) { m.*member = x; });
@@ -122,12 +122,12 @@ public:
         set(name, [member](Model& m, double x) { (m.*member).value[1] = x; });
     }
 
-    SceneBuilder scene_ = plain_room();
+    SceneBuilder room = plain_room();
 
 private:
     template <typename Set>
     void set(const char* name, Set set) {
-        add(places_, std::string(model_) + ' ' + name, "/material_0", scene_.scene(),
+        add(places_, std::string(model_) + ' ' + name, "/material_0", room.scene(),
             [set](SceneDescription& s, double x) { set(std::get<Model>(s.materials[0].model), x); });
     }
 
@@ -147,7 +147,7 @@ void add_simple_material_places(std::vector<Place>& places) {
     phong.number("exponent", &PhongMaterial::exponent);
     for (const bool thin : {false, true}) {
         Models<DielectricMaterial> glass(places, "glass");
-        auto& model = std::get<DielectricMaterial>(glass.scene_.scene().materials[0].model);
+        auto& model = std::get<DielectricMaterial>(glass.room.scene().materials[0].model);
         model.thin_walled = thin;
         model.transmission_tint.value = {0.5, 0.6, 0.7};
         glass.number("ior", &DielectricMaterial::ior);
@@ -163,7 +163,7 @@ void add_simple_material_places(std::vector<Place>& places) {
 void add_layered_material_places(std::vector<Place>& places) {
     using Preview = PreviewSurfaceMaterial;
     Models<Preview> preview(places, "preview");
-    auto& model = std::get<Preview>(preview.scene_.scene().materials[0].model);
+    auto& model = std::get<Preview>(preview.room.scene().materials[0].model);
     model.clearcoat.value = 0.5;
     model.opacity.value = 0.7;
     preview.color("diffuse color", &Preview::diffuse_color);
@@ -179,7 +179,7 @@ void add_layered_material_places(std::vector<Place>& places) {
 
     using Pbr = OpenPbrMaterial;
     Models<Pbr> pbr(places, "OpenPBR");
-    auto& all = std::get<Pbr>(pbr.scene_.scene().materials[0].model);
+    auto& all = std::get<Pbr>(pbr.room.scene().materials[0].model);
     all.coat_weight.value = all.transmission_weight.value = all.base_metalness.value = 0.5;
     all.transmission_color.value = {0.5, 0.6, 0.7};
     pbr.number("base weight", &Pbr::base_weight);

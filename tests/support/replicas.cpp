@@ -140,6 +140,7 @@ Replicas render_replicas(const SceneDescription& scene, RenderSettings settings,
         return render_replicas(scene, longer, count, stream ^ kSecondStream);
     };
     settings.samples_per_pixel = std::max(1, samples(100 * settings.samples_per_pixel) / 100);
+    settings.threads = 1;  // such small pictures give no more than one anything to do
     for (int i = 0; i < count; ++i) {
         settings.seed = (stream << 32) + static_cast<std::uint64_t>(i);
         const RenderedImage image = render(scene, settings);

@@ -40,10 +40,10 @@ void SamplePlan::count(std::uint64_t pass, const FilmTile& tile) {
 void SamplePlan::decide(std::uint64_t half, const CameraNoise& seen_by_other) {
     Half& h = halves_[half];
     const Half& other = halves_[kHalves - 1 - half];
-    constexpr auto kPasses = static_cast<double>(kEvenRounds * kReplicates / kHalves);
+    constexpr std::uint64_t kPasses = kEvenRounds * kReplicates / kHalves;
     std::vector<TileReport> reports;
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
-        const double samples = kPasses * pixels_[i];
+        const double samples = static_cast<double>(kPasses) * pixels_[i];
         reports.push_back(
             {pixels_[i], seen_by_other.of(tiles_[i]), other.camera_rays[i] / samples, other.light_rays[i] / samples});
     }

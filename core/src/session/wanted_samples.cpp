@@ -39,7 +39,7 @@ std::vector<double> one_in_the_mean(const std::vector<TileReport>& tiles, std::v
 }  // namespace
 
 std::vector<double> wanted_samples(const std::vector<TileReport>& tiles) {
-    const std::vector<double> even(tiles.size(), 1);
+    std::vector<double> even(tiles.size(), 1);
     std::vector<double> wanted;
     for (const TileReport& tile : tiles) {
         // A half whose passes have sent no ray has seen no noise either.

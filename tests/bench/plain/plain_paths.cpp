@@ -1,6 +1,5 @@
 /// Renders a plain diffuse scene by path tracing, in one thread, and prints what it took as JSON.
 
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -59,4 +58,4 @@ void run(int samples) {
 }  // namespace
 }  // namespace etendue::test
 
-int main(int argc, char** argv) { etendue::test::run(argc > 1 ? std::atoi(argv[1]) : 4); }
+int main(int argc, char** argv) { etendue::test::run(argc > 1 ? std::stoi(argv[1]) : 4); }
