@@ -54,6 +54,9 @@ Transform checked_transform(const CameraDesc& camera) {
     }
 }
 
+/// Of a ray's slope to the viewing axis: a direction keeps its cosine to six digits there. At 1e16 its sign is lost.
+constexpr double kSteepest = 1e10;
+
 struct Aperture {
     double width;
     double height;
@@ -120,13 +123,16 @@ Camera::Camera(const CameraDesc& desc, int width, int height, ApertureConform co
 void Camera::check_reach(const CameraDesc& desc, int width, int height) const {
     const Vec3 window{plane_left_, plane_top_, 0};
     const Vec3 opposite{plane_left_ + plane_per_pixel_x_ * width, plane_top_ - plane_per_pixel_y_ * height, 0};
-    if (!within_reach(window) || !within_reach(opposite)) fail(desc, "it sees too much: aperture over focal length");
+    const double widest = orthographic_ ? kFarthest : kSteepest;
+    if (!(max_component(max(abs(window), abs(opposite))) <= widest)) {
+        fail(desc, "it sees too much: aperture over focal length");
+    }
     if (!within_reach(position_)) fail(desc, "it is too far away");
     if (!(lens_radius_ <= kFarthest)) fail(desc, "its lens is too large: focal length over f-stop");
     if (!(focus_distance_ <= kFarthest)) fail(desc, "focus distance is too large");
     // Rays from the lens to the plane in focus need a direction, and one off the lens.
     constexpr double kLeastFocus = 1e-100;
-    if (has_lens() && !(focus_distance_ >= kLeastFocus && lens_radius_ <= focus_distance_ * kFarthest)) {
+    if (has_lens() && !(focus_distance_ >= kLeastFocus && lens_radius_ <= focus_distance_ * kSteepest)) {
         fail(desc, "focus distance is too small for its lens");
     }
     if (!(plane_per_pixel_x_ * plane_per_pixel_y_ > 0)) fail(desc, "it sees too little: aperture over focal length");

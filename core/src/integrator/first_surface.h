@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -16,9 +15,8 @@ inline void record_surface(const RenderContext& context, const Vec3& origin, con
     if (!context.wants_surface || !si) return;
     sample.hit = true;
     // Not the point's own place on the axis: where the ray leaves the lens at a grazing angle, that is less than the
-    // float roundings of the point, and may come out negative. So may the direction's, by its own roundings, where the
-    // lens is more than 1e15 times as wide as its focus is far.
-    sample.depth = length(si->p - origin) * std::max(0.0, dot(direction, context.camera.forward()));
+    // float roundings of the point, and may come out negative.
+    sample.depth = length(si->p - origin) * dot(direction, context.camera.forward());
     sample.normal = context.scene.shading_normal(*si);
     if (context.wants_albedo) sample.albedo = context.scene.albedo(*si);
 }

@@ -167,6 +167,13 @@ TEST(Camera, ErrorsNameTheCamera) {
     expect_error([](CameraDesc& c) { c.exposure_scale = -2; });
     expect_error([](CameraDesc& c) { c.exposure_scale = 1e39; });  // more than a float can hold
     expect_error([](CameraDesc& c) { c.world_from_camera.m[5] = 0; });
+    // Slopes that a direction does not hold.
+    expect_error([](CameraDesc& c) { c.focal_length = 1e-10; });
+    expect_error([](CameraDesc& c) { c.vertical_aperture_offset = 1e18; });
+    expect_error([](CameraDesc& c) {
+        c.f_stop = 1e-11;
+        c.focus_distance = 1;
+    });
     // What Embree cannot trace.
     expect_error([](CameraDesc& c) { c.world_from_camera.m[3] = 2e18; });
     expect_error([](CameraDesc& c) { c.horizontal_aperture = 1e21; });
