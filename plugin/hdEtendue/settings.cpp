@@ -30,6 +30,8 @@ constexpr Setting kAdaptive{"etendue:adaptive", "Samples go where the noise is",
 constexpr Setting kMaxDepth{"etendue:maxDepth", "Maximum bounces", "HDETENDUE_MAX_DEPTH"};
 constexpr Setting kSeed{"etendue:seed", "Seed", "HDETENDUE_SEED"};
 constexpr Setting kThreads{"etendue:threads", "Threads (0: all)", "HDETENDUE_THREADS"};
+constexpr Setting kTextureMemory{"etendue:textureMemory", "Megabytes of texels kept decoded",
+                                 "HDETENDUE_TEXTURE_MEMORY"};
 constexpr Setting kRefraction{"etendue:adjoint:refraction", "Adjoint factor of refraction (off: wrong on purpose)",
                               "HDETENDUE_ADJOINT_REFRACTION"};
 constexpr Setting kShadingNormal{"etendue:adjoint:shadingNormal",
@@ -112,6 +114,7 @@ HdRenderSettingDescriptorList setting_descriptors() {
             whole(kMaxDepth, defaults.max_depth),
             whole(kSeed, 0),
             whole(kThreads, defaults.threads),
+            real(kTextureMemory, defaults.texture_memory),
             flag(kRefraction, defaults.adjoint.refraction),
             flag(kShadingNormal, defaults.adjoint.shading_normal),
             flag(kPhong, defaults.adjoint.phong),
@@ -132,6 +135,7 @@ RenderSettings render_settings(const HdRenderDelegate& delegate) {
     settings.max_depth = whole_number(delegate, kMaxDepth, settings.max_depth);
     settings.seed = whole_number(delegate, kSeed, settings.seed);
     settings.threads = whole_number(delegate, kThreads, settings.threads);
+    settings.texture_memory = number(delegate, kTextureMemory, settings.texture_memory);
     settings.adjoint.refraction = number(delegate, kRefraction, 1) != 0;
     settings.adjoint.shading_normal = number(delegate, kShadingNormal, 1) != 0;
     settings.adjoint.phong = number(delegate, kPhong, 1) != 0;

@@ -18,13 +18,17 @@ class Case:
     integrator: str
     targets: tuple[float, ...]
 
+    @property
+    def reference_error(self) -> float:
+        return REFERENCE_PART * min(self.targets)
+
     def options(self, error: float) -> RenderOptions:
         return RenderOptions(
             resolution=(48, 36), integrator=self.integrator, error=error, spp=1 << 14
         )
 
     def reference_options(self) -> RenderOptions:
-        return self.options(REFERENCE_PART * min(self.targets))
+        return {**self.options(self.reference_error), "spp": 1 << 20}
 
 
 CASES = (

@@ -29,6 +29,10 @@ class Reference:
     rel_mse: float  #: what its noise adds, in the mean, to the relMSE of any picture against it
     mean_error: float  #: standard error of its mean over its mean; all channels have the same luck
 
+    @property
+    def error(self) -> float:
+        return float(np.sqrt(self.rel_mse))
+
     def off(self, image: etendue.Image) -> float:
         """relMSE of an independent picture, free of the reference's noise; may be negative."""
         return float(relative_squared_error(image.color, self.color).mean()) - self.rel_mse

@@ -13,20 +13,21 @@ from support.same_picture import assert_same_picture
 Types = Sdf.ValueTypeNames
 
 
+def set_up(studio: Studio, **values: float | str) -> None:
+    """Settings on the active prim."""
+    kinds = {int: Types.Int, float: Types.Float, str: Types.String}
+    settings = studio.render_settings().GetPrim()
+    for name, value in values.items():
+        settings.CreateAttribute(f"etendue:{name}", kinds[type(value)]).Set(value)
+
+
 @ENVIRONMENTS
 def test_the_active_render_settings_are_heeded(
     host: HydraHost, tmp_path: Path, environment: dict[str, str]
 ) -> None:
     studio = Studio()
     studio.box("/Box")
-    settings = studio.render_settings().GetPrim()
-    for name, kind, value in (
-        ("samplesPerPixel", Types.Int, 2),
-        ("seed", Types.Int, 5),
-        ("maxDepth", Types.Int, 1),
-        ("integrator", Types.String, "path"),
-    ):
-        settings.CreateAttribute(f"etendue:{name}", kind).Set(value)
+    set_up(studio, samplesPerPixel=2, seed=5, maxDepth=1, integrator="path", textureMemory=8.0)
     file = exported(studio, tmp_path)
     ours, _ = recorded(host, file, environment)
     expected = reference(file, ours, spp=2, seed=5, max_depth=1, integrator="path")
@@ -39,16 +40,22 @@ def test_an_error_target_ends_a_render(
 ) -> None:
     studio = Studio()
     studio.box("/Box")
-    settings = studio.render_settings().GetPrim()
     # Looked at for the first time after 16 passes, and met by then.
-    for name, kind, value in (
-        ("samplesPerPixel", Types.Int, 40),
-        ("errorTarget", Types.Float, 10.0),
-    ):
-        settings.CreateAttribute(f"etendue:{name}", kind).Set(value)
+    set_up(studio, samplesPerPixel=40, errorTarget=10.0)
     file = exported(studio, tmp_path)
     ours, _ = recorded(host, file, environment)
     assert_same_picture(ours, reference(file, ours, spp=16))
+
+
+@ENVIRONMENTS
+def test_texture_memory_reaches_the_session(
+    host: HydraHost, tmp_path: Path, environment: dict[str, str]
+) -> None:
+    studio = Studio()
+    studio.box("/Box")
+    set_up(studio, textureMemory=-1.0)
+    _, said = recorded(host, exported(studio, tmp_path), environment)
+    assert "texture memory" in said
 
 
 @ENVIRONMENTS

@@ -34,6 +34,7 @@ def test_claims_are_true(case: Case) -> None:
     stage = open_stage(case.stage)
     (target,) = case.targets
     against = reference(stage, case.reference_options())
+    assert against.error <= case.reference_error
     found = claims(stage, against, case.options(target), range(SEEDS))
     assert (found.claimed < target**2).all()
     assert (found.claimed > (target / 2) ** 2).all()

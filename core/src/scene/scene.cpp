@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -15,6 +13,7 @@
 #include "light/usd_lux.h"
 #include "scene/casters.h"
 #include "scene/check_material.h"
+#include "scene/instance_reach.h"
 #include "scene/interaction.h"
 #include "scene/known_geometry.h"
 #include "scene/light_triangles.h"
@@ -33,24 +32,6 @@ Transform instance_transform(const InstanceDesc& instance, const Origins& origin
     } catch (const SceneError& error) {
         throw SceneError(instance.name + ": " + error.what());
     }
-}
-
-/// Embree inverts an instance's matrix in float: a determinant that overflows there would make the inverse 0, and of
-/// rays in the group points without a direction.
-bool inverts_in_float(const Transform& transform) {
-    const Vec3 rows = transform.vector_magnitude({1, 1, 1});
-    return rows.x * rows.y * rows.z <= std::numeric_limits<float>::max() &&
-           std::abs(transform.determinant()) >= std::numeric_limits<float>::min();
-}
-
-/// Embree takes rays from anywhere in the scene into the group, directions and all.
-bool takes_rays_from(const SceneBounds& bounds, const Transform& world_from_group) {
-    const double farthest = max_component(abs(bounds.center)) + bounds.radius;
-    const Transform group_from_world = world_from_group.inverse();
-    return inverts_in_float(world_from_group) &&
-           within_reach(group_from_world.magnitude({farthest, farthest, farthest})) &&
-           within_reach(group_from_world.vector_magnitude({1, 1, 1})) &&
-           within_reach(world_from_group.vector_magnitude({1, 1, 1})) && within_reach(world_from_group.translation());
 }
 
 std::vector<const PlacedGeometry*> geometries(const std::vector<PlacedShape>& shapes) {
