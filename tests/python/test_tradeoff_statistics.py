@@ -236,7 +236,7 @@ def test_choices_change_with_time() -> None:
     assert [span.best for span in front(both)] == ["bdpt-depth-4", "bdpt"]
     first, second = front(both)
     # 0.1 / t + 0.01 = 0.4 / t
-    assert second.begin == first.end == pytest.approx(30, rel=0.15)
+    assert second.begin == first.end == pytest.approx(30, rel=1e-3)
 
 
 def test_who_is_not_told_from_the_best_is_named() -> None:

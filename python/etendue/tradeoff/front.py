@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import ceil, log10
+from math import ceil, log10, sqrt
 
 import numpy as np
 
@@ -17,6 +17,8 @@ BUDGETS = (0.3, 1.0, 3.0, 10.0, 60.0, 600.0)
 
 #: Times that the front is looked at: so many in a factor of ten.
 _STEPS = 20
+#: Of a step, until the time of a change is known to a thousandth.
+_HALVINGS = 7
 
 
 def front(candidates: Sequence[CandidateResult]) -> tuple[Span, ...]:
@@ -31,12 +33,28 @@ def front(candidates: Sequence[CandidateResult]) -> tuple[Span, ...]:
         # Rounding must not take the first one's only pass away.
         choice = choose(candidates, float(seconds) * (1 + 1e-9))
         assert choice is not None  # the fastest is ready from the start
-        if spans and spans[-1].best == choice.best:
-            spans[-1] = replace(spans[-1], end=choice.seconds)
+        if not spans:
+            spans.append(Span(choice.best, choice.seconds, choice.seconds))
+        elif spans[-1].best != choice.best:
+            change = _change(candidates, spans[-1], choice.seconds)
+            spans[-1] = replace(spans[-1], end=change)
+            spans.append(Span(choice.best, change, choice.seconds))
         else:
-            start = spans[-1].end if spans else choice.seconds
-            spans.append(Span(choice.best, start, choice.seconds))
+            spans[-1] = replace(spans[-1], end=choice.seconds)
     return tuple(spans)
+
+
+def _change(candidates: Sequence[CandidateResult], before: Span, after: float) -> float:
+    """When the best one of before is not the best any more."""
+    low, high = before.end, after
+    for _ in range(_HALVINGS):
+        middle = sqrt(low * high)
+        choice = choose(candidates, middle)
+        if choice is not None and choice.best == before.best:
+            low = middle
+        else:
+            high = middle
+    return low
 
 
 def expected(found: CandidateResult, seconds: float) -> Estimate:

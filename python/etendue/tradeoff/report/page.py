@@ -9,7 +9,6 @@ from etendue.html import common_exposure, legend, picture_url, ratio_map_url, re
 from etendue.html.drawing import FONT_SIZE
 from etendue.interval import interval_text
 from etendue.numbers import counted, percent, probability, short
-from etendue.progress import duration
 from etendue.tradeoff.candidates import DEFAULT
 from etendue.tradeoff.report.plots import overview_url, single_url
 from etendue.tradeoff.report.words import (
@@ -21,9 +20,11 @@ from etendue.tradeoff.report.words import (
     longest_choice,
     run_sentence,
     seconds_text,
+    size_factor,
     size_sentence,
     slope_sentence,
     verdict_sentence,
+    what_default_is,
 )
 from etendue.tradeoff.results import CandidateResult, TradeoffResult
 
@@ -53,7 +54,7 @@ def as_html(result: TradeoffResult) -> str:
             "reasons": _reasons(result),
             "why": None if longest is None else choice_sentence(result, longest),
             "counted": counted,
-            "duration": duration,
+            "default_sentence": what_default_is(),
             "efficiency_text": efficiency_text,
             "error_percent": error_percent,
             "interval": interval_text,
@@ -62,6 +63,7 @@ def as_html(result: TradeoffResult) -> str:
             "run_sentence": run_sentence,
             "seconds_text": seconds_text,
             "short": short,
+            "size_factor": size_factor(result),
             "size_sentence": size_sentence,
             "slope_sentence": slope_sentence,
         },

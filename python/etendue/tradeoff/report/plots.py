@@ -126,7 +126,7 @@ def _front(axes: Any, result: TradeoffResult) -> Any:
             continue
         x = np.geomspace(span.begin, span.end, 20)
         (line,) = axes.plot(
-            x, curve.noise.value / x + curve.floor, color="#f0d878", linewidth=7, zorder=0
+            x, curve.noise.value / x + curve.floor, color="#d5e3ef", linewidth=7, zorder=0
         )
     return line
 
@@ -153,6 +153,8 @@ def _strong(axes: Any, found: CandidateResult, index: int) -> Any:
     seconds = np.array([rung.seconds for rung in found.rungs])
     errors = np.array([rung.rel_mse.value for rung in found.rungs])
     known = np.array([is_known(rung.rel_mse) for rung in found.rungs])
+    # The arms of what is beyond the top would hang there without their point.
+    known &= errors <= axes.get_ylim()[1]
     arms = np.array(
         [
             [rung.rel_mse.value - rung.rel_mse.low, rung.rel_mse.high - rung.rel_mse.value]

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import inf, isfinite, sqrt
 
+from etendue import _core
 from etendue.interval import interval_text
 from etendue.numbers import counted, percent, short
-from etendue.progress import duration
 from etendue.tradeoff.candidates import DEFAULT
 from etendue.tradeoff.results import CandidateResult, Choice, TradeoffResult, is_known
 
 #: Part of a candidate's own error from which on the reference's noise is too much to subtract.
 _TOO_NOISY = 0.5
+
+_DEFAULTS = _core.RenderSettings()
 
 
 def efficiency_text(found: CandidateResult) -> str:
@@ -33,8 +35,11 @@ def error_percent(rel_mse: float) -> str:
 
 
 def seconds_text(seconds: float) -> str:
-    """'0.3 s', '10 s', '10 min'."""
-    return f"{seconds / 60:g} min" if seconds >= 120 else f"{seconds:.3g} s"
+    """'0.3 s', '10 s', '2.7 min', '2.7 h'."""
+    if seconds < 120:
+        return f"{seconds:.3g} s"
+    value, unit = (seconds / 60, "min") if seconds < 2 * 3600 else (seconds / 3600, "h")
+    return f"{value:.1f}".removesuffix(".0") + f" {unit}"
 
 
 def verdict_sentence(found: CandidateResult) -> str:
@@ -84,7 +89,7 @@ def slope_sentence(found: CandidateResult) -> str:
     if found.verdict == "floor":
         return f"Bends towards flat: at its end the slope is {found.end_slope:.2f}."
     if not is_known(slope) or slope.high - slope.low > 0.5:
-        return "Too noisy for a line."
+        return "Too noisy to tell its slope."
     if slope.low > -0.95:
         return "Flatter than noise alone makes it: more time helps less than it should."
     if slope.high < -1.05:
@@ -110,8 +115,8 @@ def choice_sentence(result: TradeoffResult, choice: Choice) -> str:
     sooner = _doubted(result, choice)
     if sooner is not None:
         parts.append(
-            f"{sooner.name} has less noise, but is known to be right only down to an error of "
-            f"{error_percent(sooner.hidden_floor)}."
+            f"{sooner.name} has less noise, but need not find all light: it may lack "
+            f"{error_percent(sooner.hidden_floor)} for ever, as far as was measured."
         )
     told = (DEFAULT, sooner.name if sooner is not None else "")
     others = [name for name in choice.as_good if name not in told]
@@ -177,12 +182,19 @@ def longest_choice(result: TradeoffResult) -> Choice | None:
     return measured[-1] if measured else next(iter(result.choices), None)
 
 
+def size_factor(result: TradeoffResult) -> float:
+    """Pixels that the stage asks for, over those measured; 1 where it is about as many."""
+    (w, h), (width, height) = result.resolution, result.full_resolution
+    times = width * height / (w * h)
+    return 1 if abs(times - 1) < 0.01 else times
+
+
 def size_sentence(result: TradeoffResult) -> str:
     """What the times mean for a picture of full size."""
     (w, h), (width, height) = result.resolution, result.full_resolution
-    times = width * height / (w * h)
+    times = size_factor(result)
     told = f"Times are for a picture of {w} × {h} pixels on {_cores(result)}"
-    if abs(times - 1) < 0.01:
+    if times == 1:
         return f"{told}, as large as the stage asks for."
     return (
         f"{told}; the {width} × {height} that the stage asks for take {short(times)} times as long "
@@ -222,9 +234,8 @@ def cannot_be_concluded(result: TradeoffResult) -> Iterator[str]:
     if any(choice.extrapolated for choice in result.choices):
         yield (
             "Times marked “by its curve” are longer than all renders of that candidate together, "
-            "whose mean is as good as one render so long. A floor too low to be seen yet may end "
-            "the fall before; ways to render that need not find all light are expected to have one "
-            "there, as high as it could hide."
+            "whose mean is as good as one render so long: such errors are not measured, and a "
+            "floor too low to be seen yet may end the fall before."
         )
     yield (
         "The reference is by bdpt, which all candidates share parts with: light that none of them "
@@ -238,8 +249,17 @@ def cannot_be_concluded(result: TradeoffResult) -> Iterator[str]:
     )
 
 
+def what_default_is() -> str:
+    """In the terms that candidates differ in."""
+    return (
+        f"The default follows light for {_DEFAULTS.max_depth} bounces, may end dim paths from the "
+        f"{_DEFAULTS.roulette_depth}th on, and starts 4 paths at the lamps for each from the "
+        "camera where something gathers light into caustics, else one for every second."
+    )
+
+
 def run_sentence(result: TradeoffResult) -> str:
     return (
         f"{counted(len(result.candidates), 'candidate')}, {result.seeds} renders each, in "
-        f"{duration(result.seconds)}."
+        f"{seconds_text(result.seconds)}, the reference included."
     )
