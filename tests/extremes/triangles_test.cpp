@@ -31,6 +31,31 @@ MeshDesc strips(int count) {
     return mesh;
 }
 
+/// The same square of triangles whose edges are all long: two flat ones, back to back, in every other strip's pair, and
+/// needles about them.
+MeshDesc flat_triangles(int pairs) {
+    MeshDesc mesh;
+    for (int i = 0; i <= 2 * pairs; ++i) {
+        for (const double y : {-1, 0, 1}) mesh.points.push_back(corner(-1 + 1.0 * i / pairs, y, 0));
+    }
+    const auto add = [&mesh](int a, int b, int c) {
+        mesh.face_vertex_counts.push_back(3);
+        mesh.face_vertex_indices.insert(mesh.face_vertex_indices.end(), {a, b, c});
+    };
+    for (int pair = 0; pair < pairs; ++pair) {
+        const int left = 6 * pair;  // points from the bottom up; only the middle column's is used in between
+        const int middle = left + 3;
+        const int right = left + 6;
+        add(left, middle + 1, left + 2);
+        add(left, middle, middle + 1);
+        add(middle + 1, middle + 2, left + 2);
+        add(right, right + 2, middle + 1);
+        add(right, middle + 1, middle);
+        add(middle + 1, right + 2, middle + 2);
+    }
+    return mesh;
+}
+
 /// All kinds of faces of no area: a point, a line, a line there and back; far away and on the square.
 void add_degenerate_faces(MeshDesc& mesh) {
     const auto first = static_cast<std::int32_t>(mesh.points.size());
@@ -72,6 +97,50 @@ TEST(Triangles, NeedlesMakeASquare) {
     expect_same(room_with(strips(count)), room_with(strips(1)), "a square of 8000 needles");
     expect_same(room_with(strips(count), {2, 2, 2}), room_with(strips(1), {2, 2, 2}),
                 "a glowing square of 8000 needles");
+}
+
+/// About no axis that a float knows: what is 0 along an axis is exact, and shows no roundings.
+MeshDesc turned(MeshDesc mesh) {
+    const Vec3 x = normalize(Vec3{0.9, 0.3, -0.2});
+    const Vec3 y = normalize(cross(Vec3{0.1, -0.2, 0.95}, x));
+    const Vec3 z = cross(x, y);
+    for (Float3& point : mesh.points) {
+        const Vec3 p = x * point[0] + y * point[1] + z * point[2];
+        point = corner(p.x, p.y, p.z);
+    }
+    return mesh;
+}
+
+/// Nothing is before a flat thing, so it is as bright as its sky if it is white, and as bright as it glows.
+TEST(Triangles, FlatOnesDoNotMeetThemselves) {
+    for (const int pairs : {500, 5000}) {
+        for (const bool glows : {false, true}) {
+            SceneBuilder b;
+            const double glow = glows ? 1 : 0;
+            b.shape(turned(flat_triangles(pairs)), b.material(DiffuseMaterial{{{1, 1, 1}}}, {glow, glow, glow}));
+            LightDesc sky;
+            sky.name = "/sky";
+            sky.kind = LightKind::Dome;
+            if (!glows) b.light(sky);
+            b.camera({0, 0, 4}, {0, 0, 0}, 8);
+            RenderSettings settings = small_settings(IntegratorKind::Path, 8, 16);
+            settings.max_depth = glows ? 4 : 1;
+            const Replicas seen = render_replicas(b.scene(), settings, kReplicas, 1);
+            EXPECT_TRUE(mean_is(seen, 1, 0.01)) << pairs << glows;
+            EXPECT_TRUE(at_most({"triangles",
+                                 "a turned square of " + std::to_string(6 * pairs) + " flat triangles, " +
+                                     (glows ? "glowing" : "white, under an even sky"),
+                                 "radiance 1: relative deviation of the mean"},
+                                relative_error(seen, 1), 0.02));
+        }
+    }
+}
+
+TEST(Triangles, FlatOnesMakeASquare) {
+    const MeshDesc flat = turned(flat_triangles(500));
+    const MeshDesc square = turned(strips(1));
+    expect_same(room_with(flat), room_with(square), "a turned square of 3000 flat triangles");
+    expect_same(room_with(flat, {2, 2, 2}), room_with(square, {2, 2, 2}), "a turned glowing square of 3000");
 }
 
 TEST(Triangles, WithoutAreaAreNotThere) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/plane_roundings.h"
+
 namespace etendue {
 namespace {
 
@@ -36,12 +38,13 @@ Vec3 shading_normal(const TriangleMesh& mesh, std::size_t triangle, const AccelH
 }
 
 /// Embree computes in float with the triangle's corners relative to the ray: its surface and ours lie apart by a few
-/// roundings of the position and of the triangle's own extent.
-Vec3 triangle_error(const Corners& c, const Vec3& p) {
+/// roundings of the position and, more of a needle, of the triangle's own extent.
+Vec3 triangle_error(const Corners& c, const Vec3& p, double twice_area) {
     const Vec3 d = p - c.p0;
     const Vec3 reach = max(max(abs(d), abs(c.e1 - d)), abs(c.e2 - d));
     const double extent = max_component(reach);
-    return (abs(p) * 4 + Vec3(extent, extent, extent) * 8) * kFloatRounding;
+    const double of_plane = extent * plane_roundings(c.e1, c.e2, twice_area);
+    return (abs(p) * 4 + Vec3(of_plane, of_plane, of_plane)) * kFloatRounding;
 }
 
 SurfaceInteraction interact(const TriangleMesh& mesh, const Ray& ray, const AccelHit& hit) {
@@ -50,9 +53,9 @@ SurfaceInteraction interact(const TriangleMesh& mesh, const Ray& ray, const Acce
     const Corners c{p0, mesh.point(triangle, 1) - p0, mesh.point(triangle, 2) - p0};
     SurfaceInteraction si;
     si.p = c.p0 + c.e1 * hit.u + c.e2 * hit.v;
-    si.p_error = triangle_error(c, si.p);
     const Vec3 area = cross(c.e1, c.e2) * mesh.outward;
     const double size = length(area);
+    si.p_error = triangle_error(c, si.p, size);
     si.n_g = size > 0 ? area / size : -ray.direction;  // a needle that only Embree could hit has no normal
     si.n_s = shading_normal(mesh, triangle, hit, si.n_g);
     if (!mesh.st.empty()) set_coordinates(mesh, triangle, c, hit, si);
