@@ -19,13 +19,14 @@ namespace etendue {
 inline double plane_roundings(const Vec3& e1, const Vec3& e2, double twice_area) {
     constexpr double kAny = 8;
     constexpr double kMost = 0x1p22;
+    const double tame = kAny * twice_area;
     const double a = length_squared(e1);
     const double b = length_squared(e2);
+    if (a * b <= tame * tame) return kAny;  // nearly all triangles
     const double c = length_squared(e2 - e1);
-    const double shorter_two = std::min({a * b, b * c, c * a});
-    const double tame = kAny * twice_area;
-    if (shorter_two <= tame * tame) return kAny;
-    return std::min(std::sqrt(shorter_two) / twice_area, kMost);
+    const double terms = std::min({a * b, b * c, c * a});
+    if (terms <= tame * tame) return kAny;
+    return std::min(std::sqrt(terms) / twice_area, kMost);
 }
 
 }  // namespace etendue
