@@ -31,8 +31,8 @@ MeshDesc strips(int count) {
     return mesh;
 }
 
-/// The same square of triangles whose edges are all long: two flat ones, back to back, in every other strip's pair, and
-/// needles about them.
+/// The same square in pairs of strips: in each two flat triangles, tip to tip, whose edges are all long, and needles
+/// about them.
 MeshDesc flat_triangles(int pairs) {
     MeshDesc mesh;
     for (int i = 0; i <= 2 * pairs; ++i) {

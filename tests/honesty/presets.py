@@ -36,7 +36,7 @@ def dial() -> Iterator[Row]:
 
 
 def rows(stages: list[str]) -> Iterator[Row]:
-    """Of default renders, against one that is deeper than all, with half the relMSE of the best, or
+    """Of default renders, against one as deep as the deepest, with half the relMSE of the best, or
     with twice its samples where that does not suffice."""
     best = PRESETS["reference"]
     for name in stages:

@@ -21,11 +21,11 @@ namespace etendue {
 [[nodiscard]] ETENDUE_EXPORT int aov_channels(Aov aov);
 
 /// One AOV: `channels` floats a pixel, row 0 on top, scene-linear. Color is radiance in nits times the camera's
-/// exposure scale, linear Rec.709; infinite where a float cannot hold it. Alpha is the share of samples that met a surface. Normal (world
-/// space, that of shading with normal maps, not normalised) and depth are means over the samples that met one, albedo
-/// over all samples. An unfinished pass counts in all but the variance. Depth is the distance along the viewing axis in
-/// scene units, infinite where nothing is hit. Variance is that of the pixel's mean, from up to eight independent parts
-/// of the render; infinite while fewer than two passes are complete.
+/// exposure scale, linear Rec.709; infinite where a float cannot hold it. Alpha is the share of samples that met a
+/// surface. Normal (world space, that of shading with normal maps, not normalised) and depth are means over the samples
+/// that met one, albedo over all samples. An unfinished pass counts in all but the variance. Depth is the distance
+/// along the viewing axis in scene units, infinite where nothing is hit. Variance is that of the pixel's mean, from up
+/// to eight independent parts of the render; infinite while fewer than two passes are complete.
 struct AovImage {
     Aov aov = Aov::Color;
     int channels = 0;

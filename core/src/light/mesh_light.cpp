@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/plane_roundings.h"
 #include "light/area_vectors.h"
 #include "light/point_error.h"
 #include "math/constants.h"
@@ -47,13 +46,9 @@ AreaLight::PointSample MeshLight::sample_point(const Vec2& u) const {
     const double b0 = 1 - b.x - b.y;
     LightPoint y;
     y.p = t.p[0] * b0 + t.p[1] * b.x + t.p[2] * b.y;
-    const Vec3 area = area_vector(t);
-    const double twice_area = length(area);
-    y.n = area / twice_area;
+    y.n = normalize(area_vector(t));
     y.st = {t.st[0].x * b0 + t.st[1].x * b.x + t.st[2].x * b.y, t.st[0].y * b0 + t.st[1].y * b.x + t.st[2].y * b.y};
-    const Vec3 edges = max(max(abs(t.p[1] - t.p[0]), abs(t.p[2] - t.p[1])), abs(t.p[0] - t.p[2]));
-    y.p_error = flat_point_error(max(max(abs(t.p[0]), abs(t.p[1])), abs(t.p[2])), max_component(edges),
-                                 plane_roundings(t.p[1] - t.p[0], t.p[2] - t.p[0], twice_area));
+    y.p_error = float_point_error(max(max(abs(t.p[0]), abs(t.p[1])), abs(t.p[2]))) + t.plane_error;
     return {y, pdf_point(y)};
 }
 

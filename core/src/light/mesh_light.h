@@ -14,6 +14,7 @@ namespace etendue {
 struct LightTriangle {
     std::array<Vec3, 3> p;
     std::array<Vec2, 3> st;
+    Vec3 plane_error{};  ///< per axis, how far off Embree may take its plane (plane_roundings.h)
 };
 
 /// Triangles that emit from their front; points are uniform per area.

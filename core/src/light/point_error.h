@@ -11,12 +11,11 @@ namespace etendue {
 /// itself.
 inline Vec3 float_point_error(const Vec3& magnitude) { return magnitude * (8 * kFloatRounding); }
 
-/// The same on a triangle or parallelogram that reaches `extent` around the point. Embree intersects flat faces
-/// relative to their corners, so its error has a part that follows their size along every axis: a light in a coordinate
-/// plane would else get no distance from itself. `roundings`: of the extent (plane_roundings.h).
-inline Vec3 flat_point_error(const Vec3& magnitude, double extent, double roundings = 8) {
-    const double of_plane = extent * roundings * kFloatRounding;
-    return float_point_error(magnitude) + Vec3(of_plane, of_plane, of_plane);
+/// The same on a parallelogram that reaches `extent` around the point. Embree intersects flat faces relative to their
+/// corners, so its error has a part that follows their size along every axis: a light in a coordinate plane would else
+/// get no distance from itself.
+inline Vec3 flat_point_error(const Vec3& magnitude, double extent) {
+    return float_point_error(magnitude + Vec3(extent, extent, extent));
 }
 
 }  // namespace etendue

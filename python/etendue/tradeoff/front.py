@@ -27,9 +27,10 @@ def front(candidates: Sequence[CandidateResult]) -> tuple[Span, ...]:
     From the first complete pass of anybody to the longest of BUDGETS.
     """
     begin = min(found.pass_seconds for found in candidates)
-    decades = max(0.0, log10(BUDGETS[-1] / begin))
+    end = max(begin, BUDGETS[-1])
+    decades = log10(end / begin)
     spans: list[Span] = []
-    for seconds in np.geomspace(begin, BUDGETS[-1], 2 + ceil(_STEPS * decades)):
+    for seconds in np.geomspace(begin, end, 2 + ceil(_STEPS * decades)):
         # Rounding must not take the first one's only pass away.
         choice = choose(candidates, float(seconds) * (1 + 1e-9))
         assert choice is not None  # the fastest is ready from the start

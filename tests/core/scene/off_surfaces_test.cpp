@@ -43,6 +43,25 @@ TEST(OffSurfaces, AreOnTheOuterSide) {
     }
 }
 
+// Rays know the plane of a flat triangle to less than the water's depth here.
+TEST(OffSurfaces, LeavesTheCameraUnderAFlatTriangle) {
+    MeshDesc water;  // 10 x 0.001, its edges all long, and along no axis
+    water.points = {{-3, -4, 0}, {3, 4, 0.5F}, {-0.0008F, 0.0006F, 0.25F}};
+    water.face_vertex_counts = {3};
+    water.face_vertex_indices = {0, 1, 2};
+    SceneBuilder b;
+    b.shape(water, b.diffuse(0.5));
+    const Scene scene(b.scene(), {});
+    const Vec3 corner{water.points[0]};
+    const Vec3 n = normalize(cross(Vec3{water.points[1]} - corner, Vec3{water.points[2]} - corner));
+    const Vec3 middle = (corner + Vec3{water.points[1]} + Vec3{water.points[2]}) / 3;
+    EXPECT_NE(off_surfaces(scene, middle), middle);
+    for (const double depth : {2e-4, -2e-4}) {
+        const Vec3 below = middle - n * depth;
+        EXPECT_EQ(off_surfaces(scene, below), below);
+    }
+}
+
 // Float knows of a surface what it knows of its corners, which may lie far from the camera and the origin.
 TEST(OffSurfaces, OfALargeTiltedBox) {
     const double c = std::cos(0.3);

@@ -259,7 +259,8 @@ def what_default_is() -> str:
 
 
 def run_sentence(result: TradeoffResult) -> str:
+    included = "" if result.reference.seconds is None else ", the reference included"
     return (
         f"{counted(len(result.candidates), 'candidate')}, {result.seeds} renders each, in "
-        f"{seconds_text(result.seconds)}, the reference included."
+        f"{seconds_text(result.seconds)}{included}."
     )
